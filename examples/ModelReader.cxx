@@ -1,0 +1,260 @@
+#include "ModelReader.h"
+
+#include "MeshCheck.h"
+#include "ReaderGuard.h"
+#include "UserError.h"
+#include "VtkMessages.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkGLTFReader.h>
+#include <vtkGenericDataObjectReader.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+
+#include <unistd.h>
+
+namespace shadow::examples
+{
+namespace
+{
+
+// A data set as its reader left it.
+struct RawPart
+{
+  vtkSmartPointer<vtkDataSet> data;
+  std::optional<Vector3> colour;
+};
+
+using ReadFunction = std::function<std::vector<RawPart>(const std::string&)>;
+
+template <typename Reader>
+std::vector<RawPart> readWith(const std::string& file)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  return data != nullptr ? std::vector<RawPart>{{data, std::nullopt}} : std::vector<RawPart>{};
+}
+
+// A text STL begins with "solid", and so do the headers of some binary ones; those have a zero byte in their
+// count.
+bool isTextStl(const std::string& header)
+{
+  std::string word = header.substr(std::min(header.find_first_not_of(" \t\r\n"), header.size()), 5);
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word == "solid" && header.find('\0') == std::string::npos;
+}
+
+// vtkSTLReader reads to the end of the file whatever the header says, so a file that was cut off or is no STL
+// at all would become a mesh of random triangles.
+std::vector<RawPart> readStl(const std::string& file)
+{
+  constexpr std::size_t headerSize = 84; // 80 bytes of text and the number of triangles
+  std::ifstream stream(file, std::ios::binary);
+  std::string header(headerSize, ' ');
+  stream.read(header.data(), headerSize);
+  if (static_cast<std::size_t>(stream.gcount()) == headerSize && !isTextStl(header))
+  {
+    std::uint64_t count = 0;
+    for (std::size_t i = headerSize; i-- > headerSize - 4;)
+    {
+      count = count * 256 + static_cast<unsigned char>(header[i]);
+    }
+    if (std::filesystem::file_size(file) != headerSize + 50 * count)
+    {
+      throw UserError("cannot be read: neither text nor as long as its header says");
+    }
+  }
+  return readWith<vtkSTLReader>(file);
+}
+
+std::optional<Vector3> findColour(vtkDataObject* block)
+{
+  vtkDataArray* colour = block->GetFieldData()->GetArray("BaseColorMultiplier");
+  if (colour == nullptr || colour->GetNumberOfValues() < 3)
+  {
+    return std::nullopt;
+  }
+  Vector3 result;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int components = colour->GetNumberOfComponents();
+    result[i] = std::clamp(colour->GetComponent(i / components, i % components), 0.0, 1.0);
+  }
+  return result;
+}
+
+std::vector<RawPart> readGltf(const std::string& file)
+{
+  vtkNew<vtkGLTFReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->ApplyDeformationsToGeometryOn(); // the nodes' transforms, too
+  reader->Update();
+  std::vector<RawPart> parts;
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (blocks == nullptr)
+  {
+    return parts;
+  }
+  const auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (auto* data = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      parts.push_back({data, findColour(data)});
+    }
+  }
+  return parts;
+}
+
+const std::map<std::string, ReadFunction>& readers()
+{
+  static const std::map<std::string, ReadFunction> table = {
+      {"obj", readWith<vtkOBJReader>},
+      {"ply", readWith<vtkPLYReader>},
+      {"stl", readStl},
+      {"vtp", readWith<vtkXMLPolyDataReader>},
+      {"vtk", readWith<vtkGenericDataObjectReader>},
+      {"gltf", readGltf},
+      {"glb", readGltf},
+  };
+  return table;
+}
+
+const ReadFunction& findReader(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto found = readers().find(extension);
+  if (found == readers().end())
+  {
+    throw UserError("unknown kind of model; known: obj, ply, stl, vtp, vtk, gltf, glb");
+  }
+  return found->second;
+}
+
+void checkFile(const std::string& file)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+  {
+    throw UserError("no such file");
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    throw UserError("is not a file");
+  }
+  if (access(file.c_str(), R_OK) != 0)
+  {
+    throw UserError("may not be read");
+  }
+  if (std::filesystem::file_size(file, error) == 0)
+  {
+    throw UserError("is empty");
+  }
+}
+
+// Some readers only warn of a file that stops too early.
+bool isFatal(const std::string& warning)
+{
+  return warning.find("rror") != std::string::npos || warning.find("EOF") != std::string::npos;
+}
+
+void checkMessages(const VtkMessages& messages, std::vector<std::string>& warnings)
+{
+  if (!messages.errors().empty())
+  {
+    throw UserError("cannot be read: " + messages.errors().front());
+  }
+  for (const std::string& warning : messages.warnings())
+  {
+    if (isFatal(warning))
+    {
+      throw UserError("cannot be read: " + warning);
+    }
+    warnings.push_back(warning);
+  }
+}
+
+Model readChecked(const std::string& file, std::vector<std::string>& warnings)
+{
+  const ReadFunction& read = findReader(file);
+  checkFile(file);
+  VtkMessages messages;
+  const std::vector<RawPart> rawParts = read(file);
+  checkMessages(messages, warnings);
+
+  Model model;
+  model.file = file;
+  bool area = false;
+  for (const RawPart& raw : rawParts)
+  {
+    const std::string damage = findDamage(raw.data);
+    if (!damage.empty())
+    {
+      throw UserError(damage);
+    }
+    ModelPart part = {extractTriangles(raw.data), raw.colour};
+    if (part.surface->GetNumberOfPolys() > 0)
+    {
+      area = area || hasArea(part.surface);
+      model.triangles += part.surface->GetNumberOfPolys();
+      model.parts.push_back(std::move(part));
+    }
+  }
+  messages.clear(); // of the filters: what they drop is counted here
+  if (model.triangles == 0)
+  {
+    throw UserError("holds no triangles");
+  }
+  if (!area)
+  {
+    throw UserError("holds no triangle that has an area");
+  }
+  return model;
+}
+
+} // namespace
+
+Model readModel(const std::string& file, const std::string& program, std::vector<std::string>& warnings)
+{
+  const ReaderGuard guard(program + ": " + file + ": cannot be read: the file is damaged");
+  try
+  {
+    return readChecked(file, warnings);
+  }
+  catch (const UserError& error)
+  {
+    throw UserError(file + ": " + error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw UserError(file + ": does not fit into memory");
+  }
+  catch (const std::exception& error)
+  {
+    throw UserError(file + ": cannot be read: " + error.what());
+  }
+}
+
+} // namespace shadow::examples

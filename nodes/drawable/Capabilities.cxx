@@ -1,0 +1,56 @@
+#include "Capabilities.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "OpenGL.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+bool hasExtension(const char* name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    if (std::strcmp(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))), name) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+Capabilities queryCapabilities()
+{
+  Capabilities capabilities;
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  const int version = 10 * major + minor;
+  if (version < 32)
+  {
+    capabilities.missing = "shadow volumes need OpenGL 3.2, this context has " + std::to_string(major) + "." +
+                           std::to_string(minor);
+    return capabilities;
+  }
+  capabilities.usable = true;
+  capabilities.clipControl = (version >= 45 || hasExtension("GL_ARB_clip_control")) && glClipControl != nullptr;
+  GLint integerSamples = 1;
+  GLint depthSamples = 1;
+  glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integerSamples);
+  glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &depthSamples);
+  capabilities.maximumSamples = std::max(1, std::min(integerSamples, depthSamples));
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &capabilities.maximumTexels);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &capabilities.maximumSize);
+  return capabilities;
+}
+
+} // namespace shadow

@@ -1,0 +1,110 @@
+#include "GLStateScope.h"
+
+#include "Capabilities.h"
+#include "OpenGL.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+int getInteger(GLenum name)
+{
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+void setEnabled(GLenum name, bool enabled)
+{
+  if (enabled)
+  {
+    glEnable(name);
+  }
+  else
+  {
+    glDisable(name);
+  }
+}
+
+} // namespace
+
+GLStateScope::GLStateScope(vtkOpenGLState* vtkState)
+  : state(vtkState)
+  , viewport(vtkState)
+  , scissor(vtkState)
+  , colorMask(vtkState)
+  , depthMask(vtkState)
+  , depthFunc(vtkState)
+  , activeTexture(vtkState)
+  , scissorTest(vtkState, GL_SCISSOR_TEST)
+  , depthTest(vtkState, GL_DEPTH_TEST)
+  , stencilTest(vtkState, GL_STENCIL_TEST)
+  , blend(vtkState, GL_BLEND)
+  , cullFace(vtkState, GL_CULL_FACE)
+  , front(readStencil(true))
+  , back(readStencil(false))
+  , cullFaceMode(getInteger(GL_CULL_FACE_MODE))
+  , frontFace(getInteger(GL_FRONT_FACE))
+  , logicOpMode(getInteger(GL_LOGIC_OP_MODE))
+  , stencilClear(getInteger(GL_STENCIL_CLEAR_VALUE))
+  , logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE)
+  , depthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE)
+  , polygonOffset(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE)
+  , clipControl(queryCapabilities().clipControl)
+{
+  glGetIntegerv(GL_POLYGON_MODE, this->polygonMode);
+  if (this->clipControl)
+  {
+    this->clipOrigin = getInteger(GL_CLIP_ORIGIN);
+    this->clipDepth = getInteger(GL_CLIP_DEPTH_MODE);
+  }
+  vtkState->PushFramebufferBindings();
+}
+
+GLStateScope::~GLStateScope()
+{
+  this->state->PopFramebufferBindings();
+  glBindVertexArray(0);
+  setEnabled(GL_COLOR_LOGIC_OP, this->logicOp);
+  setEnabled(GL_DEPTH_CLAMP, this->depthClamp);
+  setEnabled(GL_POLYGON_OFFSET_FILL, this->polygonOffset);
+  glLogicOp(static_cast<GLenum>(this->logicOpMode));
+  glClearStencil(this->stencilClear);
+  glFrontFace(static_cast<GLenum>(this->frontFace));
+  // A core profile knows one mode for both faces.
+  glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(this->polygonMode[0]));
+  this->state->vtkglCullFace(static_cast<GLenum>(this->cullFaceMode));
+  this->restoreStencil(GL_FRONT, this->front);
+  this->restoreStencil(GL_BACK, this->back);
+  if (this->clipControl)
+  {
+    glClipControl(static_cast<GLenum>(this->clipOrigin), static_cast<GLenum>(this->clipDepth));
+  }
+}
+
+GLStateScope::StencilFace GLStateScope::readStencil(bool isFront)
+{
+  StencilFace values;
+  values.func = getInteger(isFront ? GL_STENCIL_FUNC : GL_STENCIL_BACK_FUNC);
+  values.reference = getInteger(isFront ? GL_STENCIL_REF : GL_STENCIL_BACK_REF);
+  values.valueMask = getInteger(isFront ? GL_STENCIL_VALUE_MASK : GL_STENCIL_BACK_VALUE_MASK);
+  values.writeMask = getInteger(isFront ? GL_STENCIL_WRITEMASK : GL_STENCIL_BACK_WRITEMASK);
+  values.fail = getInteger(isFront ? GL_STENCIL_FAIL : GL_STENCIL_BACK_FAIL);
+  values.depthFail = getInteger(isFront ? GL_STENCIL_PASS_DEPTH_FAIL : GL_STENCIL_BACK_PASS_DEPTH_FAIL);
+  values.depthPass = getInteger(isFront ? GL_STENCIL_PASS_DEPTH_PASS : GL_STENCIL_BACK_PASS_DEPTH_PASS);
+  return values;
+}
+
+void GLStateScope::restoreStencil(unsigned int face, const StencilFace& values)
+{
+  this->state->vtkglStencilFuncSeparate(face, static_cast<GLenum>(values.func), values.reference,
+                                        static_cast<GLuint>(values.valueMask));
+  this->state->vtkglStencilMaskSeparate(face, static_cast<GLuint>(values.writeMask));
+  this->state->vtkglStencilOpSeparate(face, static_cast<GLenum>(values.fail),
+                                      static_cast<GLenum>(values.depthFail),
+                                      static_cast<GLenum>(values.depthPass));
+}
+
+} // namespace shadow

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vtkOpenGLState.h>
+
+namespace shadow
+{
+
+/// Keeps the GL state that the shadow stages change and puts it back at the end: VTK's part through vtkOpenGLState, the
+/// rest by asking the GL.
+class GLStateScope
+{
+public:
+  explicit GLStateScope(vtkOpenGLState* vtkState);
+  ~GLStateScope();
+  GLStateScope(const GLStateScope&) = delete;
+  GLStateScope& operator=(const GLStateScope&) = delete;
+
+private:
+  struct StencilFace
+  {
+    int func = 0;
+    int reference = 0;
+    int valueMask = 0;
+    int writeMask = 0;
+    int fail = 0;
+    int depthFail = 0;
+    int depthPass = 0;
+  };
+  static StencilFace readStencil(bool front);
+  void restoreStencil(unsigned int face, const StencilFace& values);
+
+  vtkOpenGLState* state;
+  vtkOpenGLState::ScopedglViewport viewport;
+  vtkOpenGLState::ScopedglScissor scissor;
+  vtkOpenGLState::ScopedglColorMask colorMask;
+  vtkOpenGLState::ScopedglDepthMask depthMask;
+  vtkOpenGLState::ScopedglDepthFunc depthFunc;
+  vtkOpenGLState::ScopedglActiveTexture activeTexture;
+  vtkOpenGLState::ScopedglEnableDisable scissorTest;
+  vtkOpenGLState::ScopedglEnableDisable depthTest;
+  vtkOpenGLState::ScopedglEnableDisable stencilTest;
+  vtkOpenGLState::ScopedglEnableDisable blend;
+  vtkOpenGLState::ScopedglEnableDisable cullFace;
+  StencilFace front;
+  StencilFace back;
+  int cullFaceMode = 0;
+  int frontFace = 0;
+  int logicOpMode = 0;
+  int stencilClear = 0;
+  int polygonMode[2] = {0, 0};
+  bool logicOp = false;
+  bool depthClamp = false;
+  bool polygonOffset = false;
+  bool clipControl = false;
+  int clipOrigin = 0;
+  int clipDepth = 0;
+};
+
+} // namespace shadow

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "Capabilities.h"
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
+
+namespace shadow
+{
+
+class ShadowPrograms;
+
+/// The render target of the shadow stages: 32-bit float depth, 8-bit stencil, and the shadow mask with one bit for each
+/// of 32 lights, all with the same number of samples.
+class StencilTarget
+{
+public:
+  StencilTarget() = default;
+  StencilTarget(const StencilTarget&) = delete;
+  StencilTarget& operator=(const StencilTarget&) = delete;
+
+  /// Makes the target this large; does nothing when it is.
+  /// @return false with a line in @p error when the GL refuses
+  bool allocate(int width, int height, int samples, std::string& error);
+
+  /// Binds the target, sets the viewport and clears: mask all reached, depth farthest, stencil 0.
+  void begin(vtkOpenGLState* state, bool reversedDepth);
+
+  /// Where the stencil is not zero, takes the light's bit out of the mask and sets the stencil back to zero.
+  void foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light);
+
+  /// Copies the mask's bit of a light: width * height values, bottom row first; 255 reached, 0 shadowed, between for
+  /// pixels whose samples differ.
+  std::vector<unsigned char> readMask(vtkOpenGLRenderWindow* window, int light);
+
+  /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
+  void release(bool contextLost = false);
+
+  unsigned int getMaskTexture() const { return this->maskTexture; }
+  unsigned int getDepthTexture() const { return this->depthTexture; }
+  unsigned int getTextureTarget() const; ///< GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE
+  int getWidth() const { return this->width; }
+  int getHeight() const { return this->height; }
+  int getSamples() const { return this->samples; }
+  std::size_t getMemorySize() const; ///< bytes
+
+private:
+  void readResolved(vtkOpenGLRenderWindow* window, int light, std::vector<unsigned char>& mask);
+  unsigned int makeTexture(unsigned int internalFormat, unsigned int format, unsigned int type) const;
+
+  unsigned int framebuffer = 0;
+  unsigned int maskTexture = 0;
+  unsigned int depthTexture = 0;
+  unsigned int emptyVertexArray = 0;
+  int width = 0;
+  int height = 0;
+  int samples = 0;
+};
+
+} // namespace shadow

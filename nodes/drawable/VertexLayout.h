@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+
+namespace shadow
+{
+
+/// Points the program's vertexMC at a buffer of vec4. @pre a vertex array is bound
+inline void bindVertices(vtkShaderProgram* program, unsigned int vertexBuffer)
+{
+  // Programs are linked without fixed locations, so the attribute is bound for each draw.
+  glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer);
+  program->EnableAttributeArray("vertexMC");
+  program->UseAttributeArray("vertexMC", 0, 4 * sizeof(float), VTK_FLOAT, 4, vtkShaderProgram::NoNormalize);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+/// Draws triangles of the bound index buffer. @pre a vertex array with 32-bit indices is bound
+inline void drawTriangles(std::size_t first, std::size_t count)
+{
+  const std::size_t offset = first * 3 * sizeof(std::uint32_t);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(offset)); // NOLINT: GL takes offsets as pointers
+}
+
+} // namespace shadow

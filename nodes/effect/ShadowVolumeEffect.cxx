@@ -1,0 +1,235 @@
+#include "ShadowVolumeEffect.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+#include <vtkTextureUnitManager.h>
+
+#include "DepthBoundsVisitor.h"
+#include "DrawVisitor.h"
+#include "GLStateScope.h"
+#include "OpenGL.h"
+#include "SEDVisitor.h"
+#include "SVStateVisitor.h"
+#include "ShadowPrograms.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void finishStage(bool wait)
+{
+  if (wait)
+  {
+    glFinish();
+  }
+}
+
+} // namespace
+
+bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& view, const std::vector<Light>& lights,
+                                    const Settings& settings, std::string& error)
+{
+  this->statistics = {};
+  if (!this->capabilitiesKnown)
+  {
+    this->capabilities = queryCapabilities();
+    this->capabilitiesKnown = true;
+  }
+  if (!this->capabilities.usable)
+  {
+    error = this->capabilities.missing;
+    return false;
+  }
+  const GLStateScope scope(window->GetState());
+  const int samples = std::min(settings.samples, this->capabilities.maximumSamples);
+  if (!this->target.allocate(view.width, view.height, samples, error))
+  {
+    return false;
+  }
+
+  Clock::time_point start = Clock::now();
+  this->update(view, lights, settings);
+  this->statistics.silhouetteMilliseconds = millisecondsSince(start);
+
+  start = Clock::now();
+  this->chooseDepthRange(view);
+  bool drawn = this->drawPrePass(window, view);
+  finishStage(settings.waitAfterStages);
+  this->statistics.prePassMilliseconds = millisecondsSince(start);
+
+  start = Clock::now();
+  for (const Light& light : lights)
+  {
+    drawn = drawn && this->drawVolumes(window, view, light);
+  }
+  finishStage(settings.waitAfterStages);
+  this->statistics.stencilMilliseconds = millisecondsSince(start);
+  this->drawables.sweep();
+  if (!drawn)
+  {
+    error = "a shader of the shadow stages does not compile on this GL";
+  }
+  return drawn;
+}
+
+void ShadowVolumeEffect::update(const View& view, const std::vector<Light>& lights, const Settings& settings)
+{
+  CasterCuller culler(view, lights, settings.stencilMethod);
+  this->accept(culler);
+  const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
+  SEDVisitor builder(lights, *finder);
+  this->accept(builder);
+  this->statistics.casters = culler.getCasters();
+  this->statistics.zFailCasters = culler.getZFailCasters();
+  this->statistics.skipped = culler.getSkipped();
+  this->statistics.rebuiltVolumes = builder.getRebuiltVolumes();
+  for (const std::string& flattened : builder.getFlattened())
+  {
+    this->statistics.skipped.insert({flattened, "its transform flattens it"});
+  }
+}
+
+void ShadowVolumeEffect::chooseDepthRange(const View& view)
+{
+  this->depthRange = {};
+  this->depthRange.reversed = this->capabilities.clipControl;
+  if (view.parallel)
+  {
+    DepthBoundsVisitor bounds(view);
+    this->accept(bounds);
+    this->depthRange.nearest = bounds.getNearest();
+    this->depthRange.farthest = bounds.getFarthest();
+  }
+}
+
+bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& view)
+{
+  vtkOpenGLState* state = window->GetState();
+  if (this->depthRange.reversed)
+  {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  }
+  this->target.begin(state, this->depthRange.reversed);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(this->depthRange.reversed ? GL_GREATER : GL_LESS);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  if (view.parallel)
+  {
+    glEnable(GL_DEPTH_CLAMP);
+  }
+  else
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
+
+  ShadowPrograms programs(window);
+  vtkShaderProgram* program = programs.use(ShadowPrograms::PrePass, view.parallel);
+  if (program == nullptr)
+  {
+    return false;
+  }
+  SVStateVisitor geometryMode(RenderMode{RenderMode::What::Geometry});
+  this->accept(geometryMode);
+  DrawVisitor::Pass pass;
+  pass.state = state;
+  pass.program = program;
+  pass.drawables = &this->drawables;
+  pass.view = &view;
+  pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
+  pass.maximumTexels = static_cast<std::size_t>(this->capabilities.maximumTexels);
+  pass.textureUnit = state->GetTextureUnitManager()->Allocate();
+  DrawVisitor draw(pass);
+  this->accept(draw);
+  state->GetTextureUnitManager()->Free(pass.textureUnit);
+  this->statistics.prePassTriangles = draw.getCounts().geometry;
+  return true;
+}
+
+bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light)
+{
+  // The stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
+  constexpr std::size_t countable = 255;
+  vtkOpenGLState* state = window->GetState();
+  ShadowPrograms programs(window);
+  vtkShaderProgram* program = nullptr;
+  std::size_t counted = 0;
+  bool open = false;
+
+  const auto openStencil = [&] {
+    program = programs.use(ShadowPrograms::Volume, view.parallel);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    state->vtkglEnable(GL_STENCIL_TEST);
+    state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_ALWAYS, 0, 0xff);
+    open = true;
+    return program;
+  };
+  const auto fold = [&] {
+    this->target.foldStencil(state, programs, light.index);
+    counted = 0;
+    open = false;
+  };
+
+  for (const StencilCount count : {StencilCount::ZPass, StencilCount::ZFail})
+  {
+    SVStateVisitor volumeMode(RenderMode{RenderMode::What::Volume, light.index, count});
+    this->accept(volumeMode);
+    if (!open && openStencil() == nullptr)
+    {
+      return false;
+    }
+    DrawVisitor::Pass pass;
+    pass.state = state;
+    pass.program = program;
+    pass.drawables = &this->drawables;
+    pass.view = &view;
+    pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
+    pass.makeRoom = [&](std::size_t bound) {
+      if (counted + bound > countable && counted > 0)
+      {
+        fold();
+        openStencil();
+      }
+      counted += bound;
+    };
+    DrawVisitor draw(pass);
+    this->accept(draw);
+    this->statistics.sideTriangles += draw.getCounts().sides;
+    this->statistics.capTriangles += draw.getCounts().caps;
+    this->statistics.silhouetteEdges += draw.getCounts().silhouetteEdges;
+  }
+  if (counted > 0)
+  {
+    fold();
+  }
+  return true;
+}
+
+void ShadowVolumeEffect::release(bool contextLost)
+{
+  this->target.release(contextLost);
+  this->drawables.release(contextLost);
+  this->capabilitiesKnown = false;
+}
+
+std::size_t ShadowVolumeEffect::getGraphicsMemorySize() const
+{
+  return this->target.getMemorySize() + this->drawables.getMemorySize();
+}
+
+} // namespace shadow

@@ -1,0 +1,107 @@
+#include "ExactOrientation.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace shadow
+{
+
+namespace
+{
+
+/// A sum of doubles that do not overlap, by rising magnitude: holds a number exactly.
+///
+/// The longest one needed: differences of floats have 2 terms, their products 8, a normal's coordinate 16, the
+/// light relative to a corner 3, their product 96, and three of these 288.
+class Expansion
+{
+public:
+  /// Shewchuk's Grow-Expansion, leaving out zeros.
+  void add(double value)
+  {
+    std::size_t kept = 0;
+    for (std::size_t term = 0; term < this->size; ++term)
+    {
+      // Two-Sum: sum + error is value + terms[term], exactly.
+      const double sum = value + this->terms[term];
+      const double added = sum - value;
+      const double error = (value - (sum - added)) + (this->terms[term] - added);
+      if (error != 0.0)
+      {
+        this->terms[kept++] = error;
+      }
+      value = sum;
+    }
+    if (value != 0.0)
+    {
+      this->terms[kept++] = value;
+    }
+    this->size = kept;
+  }
+
+  /// Adds left * right.
+  void addProduct(double left, double right)
+  {
+    const double product = left * right;
+    this->add(std::fma(left, right, -product));
+    this->add(product);
+  }
+
+  /// Adds sign * left * right.
+  void addProduct(const Expansion& left, const Expansion& right, double sign)
+  {
+    for (std::size_t i = 0; i < left.size; ++i)
+    {
+      for (std::size_t j = 0; j < right.size; ++j)
+      {
+        this->addProduct(sign * left.terms[i], right.terms[j]);
+      }
+    }
+  }
+
+  /// The largest term outweighs all others.
+  int getSign() const
+  {
+    return this->size == 0 ? 0 : this->terms[this->size - 1] > 0.0 ? 1 : -1;
+  }
+
+private:
+  std::array<double, 320> terms;
+  std::size_t size = 0;
+};
+
+std::array<Expansion, 3> subtract(const glm::vec3& left, const glm::vec3& right)
+{
+  std::array<Expansion, 3> difference;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    difference[axis].add(left[axis]);
+    difference[axis].add(-static_cast<double>(right[axis]));
+  }
+  return difference;
+}
+
+} // namespace
+
+int exactOrientation(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::dvec4& lightMC)
+{
+  const std::array<Expansion, 3> u = subtract(b, a);
+  const std::array<Expansion, 3> v = subtract(c, a);
+  Expansion determinant;
+  for (int x = 0; x < 3; ++x)
+  {
+    const int y = (x + 1) % 3;
+    const int z = (x + 2) % 3;
+    Expansion normal;
+    normal.addProduct(u[y], v[z], 1.0);
+    normal.addProduct(u[z], v[y], -1.0);
+    Expansion arm;
+    arm.add(lightMC[x]);
+    arm.addProduct(-lightMC.w, static_cast<double>(a[x]));
+    determinant.addProduct(normal, arm, 1.0);
+  }
+  return determinant.getSign();
+}
+
+} // namespace shadow

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace shadow
+{
+
+/// One bit per triangle, 64 to a word. Bit t lives in word t / 64.
+///
+/// Every step that needs to know how a triangle faces a light reads it here, so no two steps can disagree.
+class FacingBits
+{
+public:
+  FacingBits() = default;
+
+  /// All bits cleared. @p size  number of triangles
+  explicit FacingBits(std::size_t size) { this->assign(size); }
+
+  /// Resizes to @p size triangles and clears every bit; keeps the memory it has.
+  void assign(std::size_t size)
+  {
+    this->count = size;
+    this->words.assign((size + 63) / 64, 0);
+  }
+
+  bool test(std::size_t triangle) const { return (this->words[triangle >> 6] >> (triangle & 63)) & 1u; }
+  void set(std::size_t triangle) { this->words[triangle >> 6] |= std::uint64_t{1} << (triangle & 63); }
+
+  /// Number of triangles.
+  std::size_t size() const { return this->count; }
+
+  /// Number of set bits. Cost: O(triangles / 64).
+  std::size_t countSet() const;
+
+  std::uint64_t* data() { return this->words.data(); }
+  const std::vector<std::uint64_t>& getWords() const { return this->words; }
+
+private:
+  std::vector<std::uint64_t> words;
+  std::size_t count = 0;
+};
+
+/// How every triangle of a mesh faces one light. A triangle with the light in its plane has neither bit.
+struct LightFacing
+{
+  FacingBits towards; ///< the light is in front of the oriented triangle (its normal's side)
+  FacingBits away;    ///< the light is behind the oriented triangle
+};
+
+} // namespace shadow

@@ -1,0 +1,291 @@
+#include "SEDGeometryBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "EdgeConnector.h"
+#include "ManifoldSplitter.h"
+#include "OutwardOrientation.h"
+#include "VertexWelder.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+/// OpenMesh numbers half-edges with an int; there are up to six a triangle.
+constexpr std::size_t mostTriangles = 0x7fffffff / 6;
+
+bool isFinite(const glm::dvec3& point)
+{
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+double sumOfMagnitudes(const glm::dvec3& v)
+{
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+bool comesBefore(const glm::vec3& a, const glm::vec3& b)
+{
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+template <typename T>
+void release(std::vector<T>& values)
+{
+  std::vector<T>().swap(values);
+}
+
+} // namespace
+
+std::optional<SEDGeometry> SEDGeometryBuilder::build(TriangleSoup soup, std::string& error)
+{
+  this->geometry.report.inputTriangles = soup.triangles.size();
+  if (!this->findUsedPoints(soup, error) || !this->chooseOrigin(soup, error) ||
+      !this->weldCorners(soup, error))
+  {
+    return std::nullopt;
+  }
+  this->flipped.assign(this->geometry.triangles.size(), 0);
+  this->connect();
+  orientOutwards(this->geometry.triangles, this->geometry.edges, this->geometry.positions, this->flipped);
+  this->geometry.report.flippedTriangles =
+    static_cast<std::size_t>(std::count(this->flipped.begin(), this->flipped.end(), std::uint8_t{1}));
+  this->computePlanes();
+  this->countEdgesAndBounds();
+  return std::move(this->geometry);
+}
+
+bool SEDGeometryBuilder::findUsedPoints(const TriangleSoup& soup, std::string& error)
+{
+  if (soup.triangles.empty())
+  {
+    error = "the mesh has no triangles";
+    return false;
+  }
+  if (soup.triangles.size() > mostTriangles)
+  {
+    error = "the mesh has " + std::to_string(soup.triangles.size()) + " triangles; at most " +
+            std::to_string(mostTriangles) + " can be connected";
+    return false;
+  }
+  this->pointUsed.assign(soup.points.size(), 0);
+  for (std::size_t triangle = 0; triangle < soup.triangles.size(); ++triangle)
+  {
+    for (const std::uint32_t point : soup.triangles[triangle])
+    {
+      if (point >= soup.points.size())
+      {
+        error = "triangle " + std::to_string(triangle) + " uses point " + std::to_string(point) + " of " +
+                std::to_string(soup.points.size());
+        return false;
+      }
+      this->pointUsed[point] = 1;
+    }
+  }
+  return true;
+}
+
+/// The origin is the centre of the points in use: a stray point that no triangle uses must not cost precision.
+bool SEDGeometryBuilder::chooseOrigin(const TriangleSoup& soup, std::string& error)
+{
+  glm::dvec3 lower(std::numeric_limits<double>::max());
+  glm::dvec3 upper(std::numeric_limits<double>::lowest());
+  for (std::size_t point = 0; point < soup.points.size(); ++point)
+  {
+    if (!isFinite(soup.points[point]))
+    {
+      error = "point " + std::to_string(point) + " is not finite";
+      return false;
+    }
+    if (this->pointUsed[point])
+    {
+      lower = glm::min(lower, soup.points[point]);
+      upper = glm::max(upper, soup.points[point]);
+    }
+  }
+  // Halved before they are added: the sum of two large coordinates may overflow.
+  this->geometry.origin = 0.5 * lower + 0.5 * upper;
+  const glm::dvec3 reach = glm::max(upper - this->geometry.origin, this->geometry.origin - lower);
+  if (!isFinite(glm::dvec3(glm::vec3(reach))))
+  {
+    error = "the mesh is larger than single precision can hold";
+    return false;
+  }
+  return true;
+}
+
+bool SEDGeometryBuilder::weldCorners(TriangleSoup& soup, std::string& error)
+{
+  // A closed mesh has half as many vertices as triangles; reserve for that, whatever copies the soup holds.
+  const std::size_t sizeHint = std::min(soup.points.size(), soup.triangles.size() / 2 + 1024);
+  WeldedPoints welded =
+    weldPoints(soup.points, this->pointUsed, this->geometry.origin, this->options.weldTolerance, sizeHint);
+  release(soup.points);
+  release(this->pointUsed);
+  this->geometry.positions = std::move(welded.positions);
+  this->geometry.triangles = std::move(soup.triangles);
+
+  std::vector<std::array<std::uint32_t, 3>>& triangles = this->geometry.triangles;
+  std::size_t kept = 0;
+  for (const std::array<std::uint32_t, 3>& points : triangles)
+  {
+    const std::array<std::uint32_t, 3> corners = {welded.vertexOf[points[0]], welded.vertexOf[points[1]],
+                                                  welded.vertexOf[points[2]]};
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+    {
+      triangles[kept++] = corners;
+    }
+  }
+  this->geometry.report.degenerateTriangles = triangles.size() - kept;
+  triangles.resize(kept);
+  if (triangles.empty())
+  {
+    error = "every triangle of the mesh is degenerate";
+    return false;
+  }
+  return true;
+}
+
+void SEDGeometryBuilder::connect()
+{
+  // Most meshes are manifold already. The others are found out on the way and start again, cut and turned.
+  if (!this->connectManifold())
+  {
+    this->connectSplit();
+  }
+}
+
+bool SEDGeometryBuilder::connectManifold()
+{
+  EdgeConnector connector(this->geometry.positions.size(), this->geometry.triangles.size());
+  for (const std::array<std::uint32_t, 3>& triangle : this->geometry.triangles)
+  {
+    if (!connector.add(triangle))
+    {
+      return false;
+    }
+  }
+  this->geometry.edges = connector.readEdges();
+  return true;
+}
+
+void SEDGeometryBuilder::connectSplit()
+{
+  std::vector<glm::vec3>& positions = this->geometry.positions;
+  SEDGeometryReport& report = this->geometry.report;
+  {
+    ManifoldSplitter splitter(this->geometry.triangles, positions);
+    splitter.run();
+    report.nonManifoldEdges = splitter.getNonManifoldEdges();
+    report.splitVertices = splitter.getSplitVertices();
+    this->flipped = splitter.getFlipped();
+  }
+
+  EdgeConnector connector(positions.size(), this->geometry.triangles.size());
+  for (std::array<std::uint32_t, 3>& triangle : this->geometry.triangles)
+  {
+    if (connector.add(triangle))
+    {
+      continue;
+    }
+    // A second edge between the same two vertices: this triangle has to stand alone.
+    for (std::uint32_t& corner : triangle)
+    {
+      positions.push_back(glm::vec3(positions[corner]));
+      corner = connector.addVertex();
+      ++report.splitVertices;
+    }
+    connector.add(triangle);
+  }
+  this->geometry.edges = connector.readEdges();
+}
+
+void SEDGeometryBuilder::computePlanes()
+{
+  const auto count = static_cast<std::uint32_t>(this->geometry.triangles.size());
+  this->geometry.planes.resize(count);
+  this->geometry.reversed.assign(count);
+  this->geometry.planeErrors.resize((count + 63) / 64);
+  for (std::uint32_t block = 0; block < this->geometry.planeErrors.size(); ++block)
+  {
+    double planeScale = 0.0;
+    double positionScale = 0.0;
+    const std::uint32_t end = std::min(count, 64 * block + 64);
+    for (std::uint32_t triangle = 64 * block; triangle < end; ++triangle)
+    {
+      this->finishTriangle(triangle, planeScale, positionScale);
+    }
+    // With eps = 2^-53 and P the largest |u.i v.j| + |u.j v.i|: a normal's coordinate is off by 4 eps P, the
+    // offset by 7 eps P |p|, and evaluating the plane adds 4 eps (P |L| + P |p|). 12 eps leaves room for the
+    // terms of second order.
+    this->geometry.planeErrors[block] = {12.0 * 0x1p-53 * planeScale, 12.0 * 0x1p-53 * positionScale};
+  }
+}
+
+/// Raster order, plane, and how large the plane's rounding errors can be.
+void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle, double& planeScale, double& positionScale)
+{
+  std::array<std::uint32_t, 3>& corners = this->geometry.triangles[triangle];
+  const std::vector<glm::vec3>& positions = this->geometry.positions;
+  bool odd = false;
+  for (const auto& [first, second] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 1)})
+  {
+    if (comesBefore(positions[corners[second]], positions[corners[first]]))
+    {
+      std::swap(corners[first], corners[second]);
+      odd = !odd;
+    }
+  }
+
+  const std::array<glm::dvec3, 3> points = {glm::dvec3(positions[corners[0]]),
+                                            glm::dvec3(positions[corners[1]]),
+                                            glm::dvec3(positions[corners[2]])};
+  const glm::dvec3 u = points[1] - points[0];
+  const glm::dvec3 v = points[2] - points[0];
+  glm::dvec3 normal = glm::cross(u, v);
+  // The corner nearest to the origin gives the offset with the smallest error.
+  const glm::dvec3& nearest = *std::min_element(points.begin(), points.end(),
+                                                [](const glm::dvec3& a, const glm::dvec3& b)
+                                                { return sumOfMagnitudes(a) < sumOfMagnitudes(b); });
+  const glm::dvec3 products = glm::abs(glm::dvec3(u.y * v.z, u.z * v.x, u.x * v.y)) +
+                              glm::abs(glm::dvec3(u.z * v.y, u.x * v.z, u.y * v.x));
+  const double largest = std::max({products.x, products.y, products.z});
+  planeScale = std::max(planeScale, largest);
+  positionScale = std::max(positionScale, largest * sumOfMagnitudes(nearest));
+
+  if (normal == glm::dvec3(0.0))
+  {
+    ++this->geometry.report.zeroAreaTriangles;
+  }
+  if (odd)
+  {
+    normal = -normal;
+    this->geometry.reversed.set(triangle);
+  }
+  this->geometry.planes[triangle] = {normal, -glm::dot(normal, nearest)};
+}
+
+void SEDGeometryBuilder::countEdgesAndBounds()
+{
+  this->geometry.report.borderEdges = static_cast<std::size_t>(
+    std::count_if(this->geometry.edges.begin(), this->geometry.edges.end(),
+                  [](const Edge& edge) { return edge.triangles[1] == noTriangle; }));
+  for (const glm::vec3& position : this->geometry.positions)
+  {
+    this->geometry.lowerBound = glm::min(this->geometry.lowerBound, glm::dvec3(position));
+    this->geometry.upperBound = glm::max(this->geometry.upperBound, glm::dvec3(position));
+  }
+  this->geometry.positions.shrink_to_fit();
+}
+
+std::optional<SEDGeometry> buildSEDGeometry(TriangleSoup soup, const SEDGeometryOptions& options,
+                                            std::string& error)
+{
+  return SEDGeometryBuilder(options).build(std::move(soup), error);
+}
+
+} // namespace shadow

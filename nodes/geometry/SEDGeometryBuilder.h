@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "SEDGeometry.h"
+
+namespace shadow
+{
+
+/// Carries one soup through the stages of buildSEDGeometry().
+class SEDGeometryBuilder
+{
+public:
+  explicit SEDGeometryBuilder(const SEDGeometryOptions& optionsIn)
+    : options(optionsIn)
+  {
+  }
+
+  /// See buildSEDGeometry(). To be called once.
+  std::optional<SEDGeometry> build(TriangleSoup soup, std::string& error);
+
+private:
+  /// @name Stages, in the order in which they run
+  /// @{
+  bool findUsedPoints(const TriangleSoup& soup, std::string& error);
+  bool chooseOrigin(const TriangleSoup& soup, std::string& error);
+  bool weldCorners(TriangleSoup& soup, std::string& error);
+  void connect();
+  bool connectManifold();
+  void connectSplit();
+  void computePlanes();
+  void countEdgesAndBounds();
+  /// @}
+
+  void finishTriangle(std::uint32_t triangle, double& planeScale, double& positionScale);
+
+  SEDGeometryOptions options;
+  SEDGeometry geometry;
+  std::vector<std::uint8_t> pointUsed; ///< one a point
+  std::vector<std::uint8_t> flipped;   ///< one a triangle
+};
+
+} // namespace shadow

@@ -1,0 +1,222 @@
+#include "ShadowVolume.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "OverlapBound.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+/// What an 8-bit stencil buffer can count.
+constexpr std::size_t stencilRange = 255;
+
+std::uint32_t nearCopy(std::uint32_t vertex)
+{
+  return 2 * vertex;
+}
+
+std::uint32_t farCopy(std::uint32_t vertex)
+{
+  return 2 * vertex + 1;
+}
+
+/// Extrudes for one light; holds what all parts of the volume need.
+class Extruder
+{
+public:
+  Extruder(const SEDGeometry& geometryIn, const LightFacing& facingIn, Casting castingIn,
+           const glm::dvec4& lightMC)
+    : geometry(geometryIn)
+    , facing(facingIn)
+    , casting(castingIn)
+    , directional(lightMC.w == 0.0)
+    , lightPosition(lightMC)
+  {
+  }
+
+  void addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const;
+  void addLightCap(ShadowVolume& volume) const;
+  void addDarkTriangles(ShadowVolume& volume) const;
+  void addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const;
+  std::size_t countCasting() const;
+
+private:
+  /// 1 or -1: casts as it is oriented, or turned over. 0: does not cast.
+  int getSign(std::size_t triangle) const
+  {
+    const int towards = this->facing.towards.test(triangle) ? 1 : 0;
+    const bool both = this->casting == Casting::EveryTriangle;
+    return both && this->facing.away.test(triangle) ? -1 : towards;
+  }
+
+  /// A vertex at a point light has no far copy: the light's rays meet there.
+  bool isAtLight(std::uint32_t vertex) const
+  {
+    return !this->directional && this->geometry.getPositions()[vertex] == this->lightPosition;
+  }
+
+  bool isExtrudable(const std::array<std::uint32_t, 3>& triangle) const
+  {
+    return !this->isAtLight(triangle[0]) && !this->isAtLight(triangle[1]) && !this->isAtLight(triangle[2]);
+  }
+
+  void addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolume& volume) const;
+
+  const SEDGeometry& geometry;
+  const LightFacing& facing;
+  Casting casting;
+  bool directional;
+  glm::vec3 lightPosition;
+};
+
+void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
+{
+  volume.sides.reserve((this->directional ? 1 : 2) * volume.silhouetteEdges);
+  for (const SilhouetteEdge& edge : silhouette)
+  {
+    if (this->isAtLight(edge.from) || this->isAtLight(edge.to))
+    {
+      continue;
+    }
+    const std::uint32_t from = nearCopy(edge.from);
+    const std::uint32_t to = nearCopy(edge.to);
+    for (std::uint32_t copy = 0; copy < edge.multiplicity; ++copy)
+    {
+      volume.sides.push_back({to, from, farCopy(edge.from)});
+      if (!this->directional)
+      {
+        volume.sides.push_back({to, farCopy(edge.from), farCopy(edge.to)});
+      }
+    }
+  }
+}
+
+void Extruder::addLightCap(ShadowVolume& volume) const
+{
+  for (std::size_t triangle = 0; triangle < this->geometry.getTriangles().size(); ++triangle)
+  {
+    const int sign = this->getSign(triangle);
+    const std::array<std::uint32_t, 3>& corners = this->geometry.getTriangles()[triangle];
+    if (sign == 0 || !this->isExtrudable(corners))
+    {
+      continue;
+    }
+    // The light sees the oriented winding counter-clockwise when the sign is 1.
+    const bool rasterFacesLight = (sign > 0) != this->geometry.getReversed().test(triangle);
+    (rasterFacesLight ? volume.lightCap : volume.lightCapReversed)
+      .push_back({nearCopy(corners[0]), nearCopy(corners[1]), nearCopy(corners[2])});
+  }
+}
+
+/// Closes the far end with far copies that look away from the light.
+void Extruder::addDarkTriangles(ShadowVolume& volume) const
+{
+  // On a closed mesh the averted triangles have the same border as those that face the light, the other way
+  // round. That needs every edge to have two triangles; any other mesh repeats its light cap.
+  const bool averted = this->casting == Casting::LightFacing && this->geometry.isClosed();
+  for (std::size_t triangle = 0; triangle < this->geometry.getTriangles().size(); ++triangle)
+  {
+    const int sign = this->getSign(triangle);
+    const bool reversed = this->geometry.getReversed().test(triangle);
+    if (averted && sign == 0)
+    {
+      this->addFar(triangle, reversed, volume);
+    }
+    else if (!averted && sign != 0)
+    {
+      this->addFar(triangle, (sign > 0) != reversed, volume);
+    }
+  }
+}
+
+void Extruder::addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolume& volume) const
+{
+  std::array<std::uint32_t, 3> corners = this->geometry.getTriangles()[triangle];
+  if (!this->isExtrudable(corners))
+  {
+    return;
+  }
+  if (againstRasterOrder)
+  {
+    std::swap(corners[1], corners[2]);
+  }
+  volume.darkCap.push_back({farCopy(corners[0]), farCopy(corners[1]), farCopy(corners[2])});
+}
+
+/// Closes the far end with one triangle from each far edge to one of the vertices. As many edges leave each
+/// vertex as arrive there, so that the sides of the fan cancel.
+void Extruder::addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
+{
+  const auto first = std::find_if(silhouette.begin(), silhouette.end(), [this](const SilhouetteEdge& edge)
+                                  { return !this->isAtLight(edge.from) && !this->isAtLight(edge.to); });
+  if (first == silhouette.end())
+  {
+    return;
+  }
+  const std::uint32_t apex = first->from;
+  volume.darkCap.reserve(volume.silhouetteEdges);
+  for (const SilhouetteEdge& edge : silhouette)
+  {
+    if (edge.from == apex || edge.to == apex || this->isAtLight(edge.from) || this->isAtLight(edge.to))
+    {
+      continue;
+    }
+    for (std::uint32_t copy = 0; copy < edge.multiplicity; ++copy)
+    {
+      volume.darkCap.push_back({farCopy(apex), farCopy(edge.to), farCopy(edge.from)});
+    }
+  }
+}
+
+std::size_t Extruder::countCasting() const
+{
+  const std::size_t towards = this->facing.towards.countSet();
+  return this->casting == Casting::LightFacing ? towards : towards + this->facing.away.countSet();
+}
+
+} // namespace
+
+ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
+                               const LightFacing& facing, Casting casting, const glm::dvec4& lightMC,
+                               const ShadowVolumeOptions& options)
+{
+  ShadowVolume volume;
+  volume.casting = casting;
+  for (const SilhouetteEdge& edge : silhouette)
+  {
+    volume.silhouetteEdges += edge.multiplicity;
+  }
+
+  const Extruder extruder(geometry, facing, casting, lightMC);
+  extruder.addSides(silhouette, volume);
+  if (options.lightCap)
+  {
+    extruder.addLightCap(volume);
+  }
+  // The far copies of a directional light's volume are one point: nothing is open there.
+  if (lightMC.w != 0.0 && options.darkCap == DarkCap::Triangles)
+  {
+    extruder.addDarkTriangles(volume);
+  }
+  else if (lightMC.w != 0.0 && options.darkCap == DarkCap::Fan)
+  {
+    extruder.addDarkFan(silhouette, volume);
+  }
+
+  volume.overlapBound = extruder.countCasting();
+  if (volume.overlapBound > stencilRange)
+  {
+    volume.overlapBound = boundOverlap(geometry, silhouette, facing, casting, lightMC);
+  }
+  return volume;
+}
+
+} // namespace shadow

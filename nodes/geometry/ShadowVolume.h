@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "FacingBits.h"
+#include "SEDGeometry.h"
+
+namespace shadow
+{
+
+/// Which triangles of a mesh cast.
+enum class Casting
+{
+  LightFacing,  ///< closed mesh, light outside it: only the triangles that face the light
+  EveryTriangle ///< any other mesh: every triangle, each turned to face the light
+};
+
+/// A directed edge of the boundary between light and shadow.
+struct SilhouetteEdge
+{
+  std::uint32_t from;         ///< vertex; the edge is wound as the casting triangle, turned to the light, winds it
+  std::uint32_t to;           ///< vertex
+  std::uint32_t multiplicity; ///< 1 or 2: how many quads it stands for
+};
+
+/// The faces of one caster's shadow volume for one light, as indices into the vertices of its SEDGeometry.
+///
+/// Each vertex v exists twice: index 2v is the near copy at the vertex, 2v + 1 the far copy at infinity, moved
+/// along the ray from the light. Triangles are wound counter-clockwise seen from outside the volume, except
+/// those in lightCapReversed.
+struct ShadowVolume
+{
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  Casting casting = Casting::EveryTriangle;
+  std::vector<Triangle> sides;            ///< two a quad; one where the far copies coincide (directional light)
+  std::vector<Triangle> lightCap;         ///< near copies in raster order, counter-clockwise from outside
+  std::vector<Triangle> lightCapReversed; ///< near copies in raster order, clockwise from outside: a cap must keep
+                                          ///< the raster order of the surface it lies on, so its stencil
+                                          ///< operations are swapped instead of its vertices
+  std::vector<Triangle> darkCap;          ///< far copies; empty for a directional light
+  std::size_t silhouetteEdges = 0;        ///< with multiplicity
+  std::size_t overlapBound = 0;           ///< no ray from the light enters the volume more often than this
+
+  std::size_t getTriangleCount() const
+  {
+    return this->sides.size() + this->lightCap.size() + this->lightCapReversed.size() + this->darkCap.size();
+  }
+};
+
+/// How the end of a shadow volume at infinity is closed.
+enum class DarkCap
+{
+  None,     ///< z-pass, or the far end cannot be seen
+  Triangles, ///< the thesis's: the averted triangles of a closed mesh, or each casting triangle's far copy
+  Fan       ///< a fan over the far silhouette: as many triangles as edges; needs the light outside the bounding sphere
+};
+
+/// What a volume is wanted for.
+struct ShadowVolumeOptions
+{
+  bool lightCap = true;
+  DarkCap darkCap = DarkCap::Triangles;
+};
+
+/// How each triangle faces a light. Decided in double precision, once.
+///
+/// @param lightMC  light position relative to the geometry's origin, in model units (w = 1), or the direction
+///                 towards a directional light (w = 0)
+/// @par Cost       O(triangles); reads 32 bytes a triangle
+/// @par Source     Shi 2006, chapter 3.1
+LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC);
+
+/// Casting::LightFacing when that is enough for this mesh and light: the mesh is closed and the light is outside it.
+Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC);
+
+/// Turns a silhouette into the faces of the shadow volume.
+///
+/// @param silhouette  as found by a silhouette method for the same @p facing and @p casting
+/// @post  without caps the sides' near edges are the silhouette; with both caps the volume is a closed surface
+/// @par Cost    O(silhouette), plus O(triangles) when caps are wanted
+/// @par Source  Everitt & Kilgard 2002, "Practical and Robust Stenciled Shadow Volumes"
+ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
+                               const LightFacing& facing, Casting casting, const glm::dvec4& lightMC,
+                               const ShadowVolumeOptions& options);
+
+} // namespace shadow

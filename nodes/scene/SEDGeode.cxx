@@ -1,0 +1,111 @@
+#include "SEDGeode.h"
+
+#include <atomic>
+#include <cmath>
+
+
+namespace shadow
+{
+
+void SEDGeode::accept(NodeVisitor& visitor)
+{
+  visitor.enter(*this, [&] { visitor.apply(*this); });
+}
+
+PathState& SEDGeode::getPathState(const NodePath& path)
+{
+  PathState& state = this->paths[path];
+  state.used = true;
+  return state;
+}
+
+void SEDGeode::dropUnusedPaths()
+{
+  for (auto entry = this->paths.begin(); entry != this->paths.end();)
+  {
+    if (entry->second.used)
+    {
+      entry->second.used = false;
+      ++entry;
+    }
+    else
+    {
+      entry = this->paths.erase(entry);
+    }
+  }
+}
+
+std::size_t SEDGeode::countVolumes() const
+{
+  std::size_t volumes = 0;
+  for (const auto& path : this->paths)
+  {
+    for (const auto& light : path.second.lights)
+    {
+      volumes += light.second.extruded ? 1 : 0;
+    }
+  }
+  return volumes;
+}
+
+std::size_t SEDGeode::getMemorySize() const
+{
+  std::size_t bytes = 0;
+  for (const auto& path : this->paths)
+  {
+    bytes += path.second.reachableBits.capacity() * sizeof(glm::uvec2);
+    for (const auto& [index, light] : path.second.lights)
+    {
+      (void)index;
+      bytes += 8 * (light.facing.towards.getWords().capacity() + light.facing.away.getWords().capacity());
+      for (const ShadowVolume& volume : light.volumes)
+      {
+        bytes += volume.getTriangleCount() * sizeof(ShadowVolume::Triangle);
+      }
+    }
+  }
+  return bytes;
+}
+
+std::array<glm::dvec3, 8> worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWorld)
+{
+  std::array<glm::dvec3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i)
+  {
+    const glm::dvec3 choose(i & 1u, (i >> 1) & 1u, (i >> 2) & 1u);
+    const glm::dvec3 corner =
+        geometry.getOrigin() + glm::mix(geometry.getLowerBound(), geometry.getUpperBound(), choose);
+    corners[i] = glm::dvec3(modelToWorld * glm::dvec4(corner, 1.0));
+  }
+  return corners;
+}
+
+std::uint64_t nextRevision()
+{
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld, const glm::dvec3& origin)
+{
+  // Scale-free test: a matrix of tiny or huge scale is fine, one that flattens is not.
+  const glm::dmat3 linear(modelToWorld);
+  const double scale = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+  const double determinant = glm::determinant(linear);
+  if (!std::isfinite(determinant) || std::abs(determinant) <= 1e-14 * scale || determinant == 0.0)
+  {
+    return std::nullopt;
+  }
+  const glm::dmat3 inverse = glm::inverse(linear);
+  const glm::dvec3 translation(modelToWorld[3]);
+  const glm::dvec3 position(light.positionWC);
+  const double w = light.positionWC.w;
+  glm::dvec3 lightMC = inverse * (position - translation * w) - origin * w;
+  if (w == 0.0)
+  {
+    lightMC = glm::normalize(lightMC);
+  }
+  return glm::dvec4(lightMC, w);
+}
+
+} // namespace shadow

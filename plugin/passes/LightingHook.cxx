@@ -1,0 +1,162 @@
+#include "LightingHook.h"
+
+#include <algorithm>
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+#include <vtkTextureUnitManager.h>
+
+#include "OpenGL.h"
+#include "Shaders.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+int replaceAll(std::string& text, const std::string& from, const std::string& to)
+{
+  int replaced = 0;
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+    ++replaced;
+  }
+  return replaced;
+}
+
+// The lines of VTK's Blinn-Phong lighting; unchanged from VTK 9.1 to 9.6.
+int substituteBlinnPhong(std::string& shader, const std::string& light)
+{
+  const std::string factor = " * shadowFactorOfPass(" + light + ") * lightColor" + light + ");";
+  return replaceAll(shader, "diffuse += (df * lightColor" + light + ");", "diffuse += (df" + factor) +
+         replaceAll(shader, "specular += (sf * lightColor" + light + ");", "specular += (sf" + factor);
+}
+
+// The lines of its physically based lighting: directional lights only, and with attenuation.
+int substitutePhysicallyBased(std::string& shader, const std::string& light)
+{
+  const std::string factor = "radiance = shadowFactor(" + light + ") * lightColor" + light;
+  return replaceAll(shader, "radiance = lightColor" + light + ";", factor + ";") +
+         replaceAll(shader, "radiance = lightColor" + light + " * attenuation;", factor + " * attenuation;");
+}
+
+} // namespace
+
+bool LightingHook::substitute(std::string& fragmentShader) const
+{
+  int blinnPhong = 0;
+  int physicallyBased = 0;
+  const std::size_t lights = std::min<std::size_t>(this->strength.size(), maximumLights);
+  for (std::size_t i = 0; i < lights; ++i)
+  {
+    blinnPhong += substituteBlinnPhong(fragmentShader, std::to_string(i));
+    physicallyBased += substitutePhysicallyBased(fragmentShader, std::to_string(i));
+  }
+  if (blinnPhong > 0)
+  {
+    // Lights beyond the last with a shadow belong to the ambient pass.
+    for (std::size_t i = lights; i < this->strength.size(); ++i)
+    {
+      const std::string colour = "lightColor" + std::to_string(i) + ");";
+      replaceAll(fragmentShader, "(df * " + colour, "(df * (shadowPass < 0 ? 1.0 : 0.0) * " + colour);
+      replaceAll(fragmentShader, "(sf * " + colour, "(sf * (shadowPass < 0 ? 1.0 : 0.0) * " + colour);
+    }
+    replaceAll(fragmentShader, "vec4(ambientColor + diffuse + specular, opacity)",
+               "vec4((shadowPass < 0 ? ambientColor : vec3(0.0)) + diffuse + specular, opacity)");
+  }
+  else
+  {
+    // A shader that is not a sum over lights is drawn in the ambient pass and adds nothing in the lighting passes.
+    const std::size_t end = fragmentShader.rfind('}');
+    if (end != std::string::npos)
+    {
+      fragmentShader.insert(end, "  if (shadowPass >= 0) { gl_FragData[0] = vec4(0.0); }\n");
+    }
+  }
+  const std::size_t main = fragmentShader.find("void main()");
+  if (main != std::string::npos)
+  {
+    fragmentShader.insert(main, "#define SHADOW_SAMPLES " + std::to_string(this->samples) + "\n" +
+                                    shaders::shadowFactor_glsl + "\n");
+  }
+  const bool hasSceneLights = fragmentShader.find("uniform vec3 lightDirectionVC0") != std::string::npos &&
+                              fragmentShader.find("lightColor0") != std::string::npos;
+  return !hasSceneLights || blinnPhong + physicallyBased > 0;
+}
+
+void LightingHook::begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, const View& view)
+{
+  StencilTarget& target = effect.getTarget();
+  this->textureTarget = target.getTextureTarget();
+  this->maskUnit = state->GetTextureUnitManager()->Allocate();
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->maskUnit));
+  glBindTexture(this->textureTarget, target.getMaskTexture());
+  this->depthUnit = state->GetTextureUnitManager()->Allocate();
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->depthUnit));
+  glBindTexture(this->textureTarget, target.getDepthTexture());
+
+  int viewport[4] = {0, 0, 0, 0};
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  this->origin[0] = viewport[0];
+  this->origin[1] = viewport[1];
+
+  const DepthRange& depth = effect.getDepthRange();
+  this->reversed = depth.reversed;
+  if (view.parallel)
+  {
+    // VTK's depth is linear from the near plane; this is the distance that it covers.
+    const glm::dvec4 rowZ = glm::row(view.clipFromWC, 2);
+    const glm::dvec4 rowW = glm::row(view.clipFromWC, 3);
+    const double covered = 2.0 * rowW.w / glm::length(glm::dvec3(rowZ));
+    this->range[0] = static_cast<float>(depth.farthest);
+    this->range[1] = static_cast<float>(depth.nearest - depth.farthest);
+    this->range[2] = 0.0f;
+    this->range[3] = static_cast<float>(covered);
+  }
+  else
+  {
+    this->range[0] = static_cast<float>(view.nearW);
+    this->range[1] = this->range[2] = this->range[3] = 0.0f;
+  }
+}
+
+void LightingHook::end(vtkOpenGLState* state)
+{
+  for (int* unit : {&this->maskUnit, &this->depthUnit})
+  {
+    if (*unit >= 0)
+    {
+      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(*unit));
+      glBindTexture(this->textureTarget, 0);
+      state->GetTextureUnitManager()->Free(*unit);
+      *unit = -1;
+    }
+  }
+}
+
+void LightingHook::setUniforms(vtkShaderProgram* program, bool mirrored) const
+{
+  if (program->IsUniformUsed("shadowPass"))
+  {
+    program->SetUniformi("shadowPass", this->pass);
+  }
+  if (!program->IsUniformUsed("shadowMask"))
+  {
+    return;
+  }
+  std::vector<float> values(maximumLights, 0.0f);
+  std::copy_n(this->strength.begin(), std::min<std::size_t>(this->strength.size(), maximumLights), values.begin());
+  program->SetUniform1fv("shadowStrength", maximumLights, values.data());
+  program->SetUniformi("shadowMask", this->maskUnit);
+  program->SetUniformi("shadowDepth", this->depthUnit);
+  program->SetUniform2i("shadowOrigin", this->origin);
+  program->SetUniformi("shadowMatch", mirrored ? 0 : 1);
+  program->SetUniform4f("shadowRange", this->range);
+  program->SetUniformi("shadowReversed", this->reversed ? 1 : 0);
+}
+
+} // namespace shadow

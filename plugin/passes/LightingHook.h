@@ -1,0 +1,57 @@
+#ifndef LightingHook_h
+#define LightingHook_h
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ShadowVolumeEffect.h"
+#include "View.h"
+
+class vtkOpenGLState;
+class vtkProp;
+class vtkShaderProgram;
+
+namespace shadow
+{
+
+/// Puts the shadow mask into the fragment shaders of VTK's own mappers: each light's diffuse and specular part is
+/// multiplied by a shadow factor. See shaders/shadowFactor.glsl.
+class LightingHook
+{
+public:
+  /// Values of LightingHook::pass besides a light's index.
+  enum Pass
+  {
+    AllLights = -1,
+    AmbientOnly = -2
+  };
+
+  /// Changes a shader. @return false when the shader has lights but none of the lines we know
+  bool substitute(std::string& fragmentShader) const;
+
+  /// Binds mask and depth to texture units of their own. @post end() must be called
+  void begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, const View& view);
+  void end(vtkOpenGLState* state);
+
+  /// Hands the uniforms to a program.
+  ///
+  /// @param mirrored  the prop's surfaces are in the mask; if not, depths are compared
+  void setUniforms(vtkShaderProgram* program, bool mirrored) const;
+
+  std::vector<float> strength; ///< a light that is switched on: 0 no shadow, 1 all of its light
+  int pass = AllLights;        ///< which light the coming pass draws
+  int samples = 1;             ///< samples a pixel of the mask
+
+private:
+  int maskUnit = -1;
+  int depthUnit = -1;
+  unsigned int textureTarget = 0;
+  int origin[2] = {0, 0};
+  float range[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+  bool reversed = true;
+};
+
+} // namespace shadow
+
+#endif

@@ -1,0 +1,16 @@
+#ifndef PassScope_h
+#define PassScope_h
+
+class vtkRenderPass;
+class vtkRenderer;
+
+namespace shadow
+{
+
+/// Whether other passes of the renderer draw what is not opaque, so that @p pass need not: it is the opaque pass of a
+/// vtkRenderStepsPass, or stands in a vtkSequencePass beside translucent, volumetric or overlay passes.
+bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass);
+
+} // namespace shadow
+
+#endif

@@ -1,0 +1,100 @@
+#ifndef SceneBuilder_h
+#define SceneBuilder_h
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+#include <vtkWeakPointer.h>
+
+#include "CasterCuller.h"
+#include "SEDGeode.h"
+
+class vtkActor;
+class vtkAssemblyPath;
+class vtkMapper;
+class vtkPolyData;
+class vtkProp;
+class vtkRenderer;
+
+namespace shadow
+{
+
+/// Mirrors a renderer's props into a scene graph: each way to an opaque surface actor becomes a Transform, each data set
+/// a SEDGeode that all ways to it share. Only what changed since the last time is built anew.
+class SceneBuilder
+{
+public:
+  struct Settings
+  {
+    double weldTolerance = 0.0;
+    std::function<bool(vtkProp*)> isCasting; ///< asked for every prop on the way to an actor
+  };
+
+  /// Makes the children of @p root what the renderer shows now.
+  /// Cost: O(props) when nothing changed; O(triangles) for a data set that is new or changed.
+  void update(vtkRenderer* renderer, const Settings& settings, Group& root);
+
+  /// True when the actor's surfaces are in the graph, so that its pixels have their own place in the mask.
+  bool isMirrored(vtkProp* actor) const { return this->mirrored.count(actor) != 0; }
+
+  /// Actors that were left out although they are drawn, and why.
+  const std::set<CasterCuller::Skipped>& getSkipped() const { return this->skipped; }
+
+  /// Data that cannot be used, one line each.
+  const std::vector<std::string>& getErrors() const { return this->errors; }
+
+  /// Triangles of all mirrored actors, once for each path.
+  std::size_t getTriangles() const { return this->triangles; }
+
+  /// Bytes of adjacency and volumes.
+  std::size_t getMemorySize() const;
+
+private:
+  using PropPath = std::vector<vtkProp*>;
+
+  struct Mesh
+  {
+    vtkWeakPointer<vtkPolyData> polyData; ///< guards against another data set at the same address
+    vtkMTimeType time = 0;
+    double weldTolerance = 0.0;
+    std::shared_ptr<SEDGeode> geode; ///< none when the data cannot be used
+    std::string error;
+    bool used = false;
+  };
+  struct ClippedMesh
+  {
+    vtkSmartPointer<vtkPolyData> output;
+    vtkWeakPointer<vtkPolyData> input;
+    vtkMTimeType time = 0;
+    bool used = false;
+  };
+
+  void addProp(vtkProp* prop, const Settings& settings, Group& root);
+  void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath, const Settings& settings,
+                Group& root);
+  std::vector<vtkPolyData*> collectData(vtkActor* actor);
+  vtkPolyData* clip(vtkPolyData* input, vtkMapper* mapper);
+  std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const Settings& settings, const std::string& name);
+  std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
+  void skip(vtkProp* prop, const std::string& reason);
+  void dropUnused();
+
+  std::map<vtkPolyData*, Mesh> meshes;
+  std::map<std::pair<vtkMapper*, vtkPolyData*>, ClippedMesh> clipped;
+  std::map<PropPath, std::pair<std::shared_ptr<Transform>, bool>> transforms; ///< bool: used
+  std::set<vtkProp*> mirrored;
+  std::set<CasterCuller::Skipped> skipped;
+  std::vector<std::string> errors;
+  std::size_t triangles = 0;
+  int propNumber = -1; ///< of the prop that is being mirrored
+};
+
+} // namespace shadow
+
+#endif

@@ -1,0 +1,192 @@
+#include "ShadowPassInternals.h"
+
+#include <algorithm>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLCamera.h>
+#include <vtkOpenGLState.h>
+#include <vtkProp.h>
+
+#include "LightCollector.h"
+#include "OpenGL.h"
+
+namespace
+{
+
+// The matrices and the viewport that VTK is about to draw with.
+shadow::View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+{
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  vtkMatrix4x4* viewFromWorld = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkMatrix4x4* clipFromView = nullptr;
+  vtkMatrix4x4* clipFromWorld = nullptr;
+  camera->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  // These matrices are transposed, and VTK stores rows where GLM stores columns.
+  const glm::dmat4 clip = glm::make_mat4(clipFromView->GetData()) * glm::make_mat4(viewFromWorld->GetData());
+  int viewport[4] = {0, 0, 0, 0};
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  return shadow::makeView(clip, viewport[2], viewport[3]);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkShadowVolumePass::vtkInternals::RendererState::~RendererState()
+{
+  this->Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::RendererState::Release()
+{
+  if (this->Window != nullptr)
+  {
+    this->Window->MakeCurrent();
+  }
+  this->Effect->release(this->Window == nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkShadowVolumePass::vtkInternals::RendererState& vtkShadowVolumePass::vtkInternals::GetState(
+  vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+{
+  for (auto entry = this->Renderers.begin(); entry != this->Renderers.end();)
+  {
+    entry = entry->second->Renderer == nullptr ? this->Renderers.erase(entry) : std::next(entry);
+  }
+  std::unique_ptr<RendererState>& state = this->Renderers[renderer];
+  if (state == nullptr || state->Window != window)
+  {
+    state = std::make_unique<RendererState>();
+    state->Renderer = renderer;
+    state->Window = window;
+    window->MakeCurrent();
+  }
+  return *state;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::vtkInternals::PrepareMask(
+  vtkShadowVolumePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+{
+  RendererState& state = this->GetState(renderer, window);
+  this->Current = &state;
+  this->Status = STATUS_OK;
+  this->Message.clear();
+  this->LightingPasses = 0;
+
+  const auto start = Clock::now();
+  this->UpdateScene(self, state);
+  state.View = currentView(renderer, window);
+  const shadow::LightList lights = shadow::collectLights(renderer);
+  this->SceneMilliseconds = MillisecondsSince(start);
+  for (const std::string& message : lights.messages)
+  {
+    this->AddMessage(message);
+  }
+
+  shadow::ShadowVolumeEffect::Settings settings;
+  settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
+  settings.silhouetteMethod = static_cast<shadow::SilhouetteMethod>(self->SilhouetteMethod);
+  settings.samples = self->Samples;
+  settings.waitAfterStages = self->MeasureStages;
+  std::string error;
+  if (!state.Effect->renderMask(window, state.View, lights.lights, settings, error))
+  {
+    this->Message.clear();
+    this->AddMessage(error);
+    this->Status = STATUS_NOT_SUPPORTED;
+    return false;
+  }
+
+  this->ShadowLights = static_cast<int>(lights.lights.size());
+  this->Skipped = state.Builder.getSkipped();
+  const auto& culled = state.Effect->getStatistics().skipped;
+  this->Skipped.insert(culled.begin(), culled.end());
+  this->Hook.strength = lights.attenuation;
+  std::transform(this->Hook.strength.begin(), this->Hook.strength.end(), this->Hook.strength.begin(),
+    [&](float attenuation) { return static_cast<float>(self->ShadowIntensity) * attenuation; });
+  const int samples = state.Effect->getTarget().getSamples();
+  if (samples != this->Hook.samples)
+  {
+    this->Hook.samples = samples;
+    this->ShaderTime.Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, RendererState& state)
+{
+  shadow::SceneBuilder::Settings settings;
+  settings.weldTolerance = self->WeldTolerance;
+  settings.isCasting = [this](vtkProp* prop) { return this->IsCasting(prop); };
+  state.Builder.update(state.Renderer, settings, *state.Effect);
+  for (const std::string& error : state.Builder.getErrors())
+  {
+    this->AddMessage(error);
+  }
+}
+
+//------------------------------------------------------------------------------
+const shadow::ShadowVolumeEffect::Statistics& vtkShadowVolumePass::vtkInternals::GetStatistics() const
+{
+  static const shadow::ShadowVolumeEffect::Statistics none;
+  return this->Current != nullptr ? this->Current->Effect->getStatistics() : none;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::Release(vtkWindow* window)
+{
+  for (auto& entry : this->Renderers)
+  {
+    if (entry.second->Window == window)
+    {
+      entry.second->Release();
+    }
+  }
+  for (vtkRenderPass* pass : {static_cast<vtkRenderPass*>(this->LightsPass), static_cast<vtkRenderPass*>(this->OpaquePass),
+         static_cast<vtkRenderPass*>(this->TranslucentPass), static_cast<vtkRenderPass*>(this->VolumetricPass),
+         static_cast<vtkRenderPass*>(this->OverlayPass)})
+  {
+    pass->ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::SetCasting(vtkProp* prop, bool casting)
+{
+  for (auto entry = this->NotCasting.begin(); entry != this->NotCasting.end();)
+  {
+    entry = entry->second == nullptr ? this->NotCasting.erase(entry) : std::next(entry);
+  }
+  if (casting)
+  {
+    this->NotCasting.erase(prop);
+  }
+  else
+  {
+    this->NotCasting[prop] = prop;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::vtkInternals::IsCasting(vtkProp* prop) const
+{
+  const auto entry = this->NotCasting.find(prop);
+  return entry == this->NotCasting.end() || entry->second != prop;
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::AddMessage(const std::string& message)
+{
+  this->Status = std::max<int>(this->Status, STATUS_PARTIAL);
+  if (this->Message.find(message) == std::string::npos)
+  {
+    this->Message += (this->Message.empty() ? "" : "\n") + message;
+  }
+}

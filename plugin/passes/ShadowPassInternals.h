@@ -1,0 +1,92 @@
+#ifndef ShadowPassInternals_h
+#define ShadowPassInternals_h
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <vtkCameraPass.h>
+#include <vtkLightsPass.h>
+#include <vtkNew.h>
+#include <vtkOpaquePass.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkOverlayPass.h>
+#include <vtkTimeStamp.h>
+#include <vtkTranslucentPass.h>
+#include <vtkVolumetricPass.h>
+#include <vtkWeakPointer.h>
+
+#include "LightingHook.h"
+#include "SceneBuilder.h"
+#include "ShadowVolumeEffect.h"
+#include "View.h"
+#include "vtkShadowVolumePass.h"
+
+/// What vtkShadowVolumePass keeps out of its header.
+class vtkShadowVolumePass::vtkInternals
+{
+public:
+  using Clock = std::chrono::steady_clock;
+  static double MillisecondsSince(Clock::time_point start)
+  {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  }
+
+  /// Everything that belongs to one renderer: a pass may serve several.
+  struct RendererState
+  {
+    vtkWeakPointer<vtkOpenGLRenderer> Renderer;
+    vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+    shadow::SceneBuilder Builder;
+    std::shared_ptr<shadow::ShadowVolumeEffect> Effect = std::make_shared<shadow::ShadowVolumeEffect>();
+    shadow::View View;
+
+    ~RendererState();
+    void Release();
+  };
+
+  /// Brings the scene graph up to date and renders the shadow mask. @return false when there can be no shadows
+  bool PrepareMask(vtkShadowVolumePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
+
+  /// Of the last rendering; all zero before the first.
+  const shadow::ShadowVolumeEffect::Statistics& GetStatistics() const;
+
+  void Release(vtkWindow* window);
+  void SetCasting(vtkProp* prop, bool casting);
+  bool IsCasting(vtkProp* prop) const;
+  void AddMessage(const std::string& message);
+
+  vtkNew<vtkCameraPass> CameraPass;
+  vtkNew<vtkLightsPass> LightsPass;
+  vtkNew<vtkOpaquePass> OpaquePass;
+  vtkNew<vtkTranslucentPass> TranslucentPass;
+  vtkNew<vtkVolumetricPass> VolumetricPass;
+  vtkNew<vtkOverlayPass> OverlayPass;
+  bool InsideCameraPass = false;
+
+  shadow::LightingHook Hook;
+  vtkTimeStamp ShaderTime; ///< when the text put into VTK's shaders changed last
+  std::map<vtkOpenGLRenderer*, std::unique_ptr<RendererState>> Renderers;
+  RendererState* Current = nullptr; ///< of the last rendering
+
+  int Status = STATUS_NOT_RENDERED;
+  std::string Message;
+  std::string ReportedMessage;
+  std::set<shadow::CasterCuller::Skipped> Skipped;
+  int ShadowLights = 0;
+  int LightingPasses = 0;
+  double SceneMilliseconds = 0.0;
+  double LightingMilliseconds = 0.0;
+
+private:
+  RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
+  void UpdateScene(vtkShadowVolumePass* self, RendererState& state);
+
+  std::map<vtkProp*, vtkWeakPointer<vtkProp>> NotCasting;
+};
+
+#endif

@@ -1,0 +1,237 @@
+#include "vtkShadowVolumePass.h"
+
+#include <vtkCameraPass.h>
+#include <vtkHardwareSelector.h>
+#include <vtkImageData.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkOpenGLState.h>
+#include <vtkProp.h>
+#include <vtkRenderState.h>
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+#include "PassScope.h"
+#include "ShadowPassInternals.h"
+
+vtkStandardNewMacro(vtkShadowVolumePass);
+
+//------------------------------------------------------------------------------
+vtkShadowVolumePass::vtkShadowVolumePass()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkShadowVolumePass::~vtkShadowVolumePass() = default;
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "StencilMethod: " << this->StencilMethod << "\n";
+  os << indent << "SilhouetteMethod: " << this->SilhouetteMethod << "\n";
+  os << indent << "Compositing: " << this->Compositing << "\n";
+  os << indent << "Scope: " << this->Scope << "\n";
+  os << indent << "Samples: " << this->Samples << "\n";
+  os << indent << "ShadowIntensity: " << this->ShadowIntensity << "\n";
+  os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
+  os << indent << "MeasureStages: " << this->MeasureStages << "\n";
+  os << indent << "Status: " << this->GetStatus() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  auto* window = renderer != nullptr ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (window == nullptr)
+  {
+    vtkErrorMacro("needs a renderer in an OpenGL render window.");
+    return;
+  }
+  if (renderer->GetPass() == this && !this->Internals->InsideCameraPass)
+  {
+    // A complete pass: the camera pass sets viewport and background, then calls back.
+    this->Internals->InsideCameraPass = true;
+    this->Internals->CameraPass->SetDelegatePass(this);
+    this->Internals->CameraPass->Render(s);
+    this->Internals->CameraPass->SetDelegatePass(nullptr);
+    this->Internals->InsideCameraPass = false;
+    return;
+  }
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    // Picking knows no passes: the selector draws all props itself, in its own colours.
+    this->NumberOfRenderedProps = selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
+    return;
+  }
+
+  const bool complete = this->Scope == SCOPE_COMPLETE ||
+    (this->Scope == SCOPE_AUTO && !shadow::othersDrawTheRest(renderer, this));
+  if (complete)
+  {
+    this->RenderPart(this->Internals->LightsPass, s);
+  }
+  const bool shadowed = this->Internals->PrepareMask(this, renderer, window);
+  if (!this->Internals->Message.empty() && this->Internals->Message != this->Internals->ReportedMessage)
+  {
+    vtkWarningMacro(<< this->Internals->Message);
+  }
+  this->Internals->ReportedMessage = this->Internals->Message;
+  if (shadowed)
+  {
+    this->RenderShadowed(s);
+  }
+  else
+  {
+    this->RenderPart(this->Internals->OpaquePass, s);
+  }
+  if (complete)
+  {
+    this->RenderPart(this->Internals->TranslucentPass, s);
+    this->RenderPart(this->Internals->VolumetricPass, s);
+    this->RenderPart(this->Internals->OverlayPass, s);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::RenderPart(vtkRenderPass* pass, const vtkRenderState* s)
+{
+  pass->Render(s);
+  this->NumberOfRenderedProps += pass->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
+{
+  vtkInternals& internals = *this->Internals;
+  shadow::LightingHook& hook = internals.Hook;
+  vtkOpenGLState* state = internals.Current->Window->GetState();
+  const auto start = vtkInternals::Clock::now();
+
+  hook.begin(state, *internals.Current->Effect, internals.Current->View);
+  this->PreRender(s);
+  if (this->Compositing == COMPOSITING_MASK)
+  {
+    hook.pass = shadow::LightingHook::AllLights;
+    this->RenderPart(internals.OpaquePass, s);
+  }
+  else
+  {
+    hook.pass = shadow::LightingHook::AmbientOnly;
+    this->RenderPart(internals.OpaquePass, s);
+    const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    const vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    state->vtkglDepthFunc(GL_EQUAL);
+    for (std::size_t light = 0; light < hook.strength.size() && light < shadow::maximumLights; ++light)
+    {
+      hook.pass = static_cast<int>(light);
+      internals.OpaquePass->Render(s);
+      ++internals.LightingPasses;
+    }
+  }
+  this->PostRender(s);
+  hook.end(state);
+  if (this->MeasureStages)
+  {
+    glFinish();
+  }
+  internals.LightingMilliseconds = vtkInternals::MillisecondsSince(start);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  if (!this->Internals->Hook.substitute(fragmentShader))
+  {
+    this->Internals->AddMessage(std::string("the shader of a ") + prop->GetClassName() +
+      " has lighting that shadows cannot be put into; it is drawn without");
+  }
+  return this->Superclass::PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
+{
+  const auto& current = this->Internals->Current;
+  this->Internals->Hook.setUniforms(program, current != nullptr && current->Builder.isMirrored(prop));
+  return this->Superclass::SetShaderParameters(program, mapper, prop, VAO);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkShadowVolumePass::GetShaderStageMTime()
+{
+  return this->Internals->ShaderTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Release(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::SetCasting(vtkProp* prop, bool casting)
+{
+  if (prop == nullptr)
+  {
+    vtkErrorMacro("SetCasting needs a prop.");
+    return;
+  }
+  if (casting != this->GetCasting(prop))
+  {
+    this->Internals->SetCasting(prop, casting);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::GetCasting(vtkProp* prop)
+{
+  return this->Internals->IsCasting(prop);
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
+{
+  const auto& current = this->Internals->Current;
+  if (image == nullptr || current == nullptr || current->Window == nullptr ||
+    this->GetStatus() == STATUS_NOT_SUPPORTED)
+  {
+    vtkErrorMacro("GetShadowMask needs an image and a rendering with shadows before it.");
+    return false;
+  }
+  if (light < 0 || light >= static_cast<int>(this->Internals->Hook.strength.size()))
+  {
+    vtkErrorMacro("there is no light " << light << " that is switched on.");
+    return false;
+  }
+  current->Window->MakeCurrent();
+  shadow::StencilTarget& target = current->Effect->getTarget();
+  if (target.getWidth() == 0)
+  {
+    vtkErrorMacro("the shadow mask has been released; render again.");
+    return false;
+  }
+  image->SetDimensions(target.getWidth(), target.getHeight(), 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+  if (light >= shadow::maximumLights)
+  {
+    std::fill_n(pixels, image->GetNumberOfPoints(), static_cast<unsigned char>(255));
+    return true;
+  }
+  const std::vector<unsigned char> mask = target.readMask(current->Window, light);
+  std::copy(mask.begin(), mask.end(), pixels);
+  image->Modified();
+  return true;
+}

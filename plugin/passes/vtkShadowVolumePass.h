@@ -1,0 +1,265 @@
+/**
+ * @class   vtkShadowVolumePass
+ * @brief   exact hard shadows by stencil shadow volumes, as a drop-in render pass
+ *
+ * Draws the scene of a renderer with hard shadows that are right to the pixel, for point lights, spot lights of any
+ * cone and directional lights. Actors, mappers, lights and cameras stay as they are.
+ *
+ * @par Use
+ * - complete pass: `renderer->SetPass(shadows)`
+ * - below a camera pass: `cameraPass->SetDelegatePass(shadows); renderer->SetPass(cameraPass)`
+ * - opaque pass: `renderStepsPass->SetOpaquePass(shadows); renderer->SetPass(renderStepsPass)`
+ *
+ * @par Stages
+ * 1. the scene builder mirrors the renderer's props and lights into a scene graph (only what changed);
+ * 2. pre-pass: all opaque triangles into a depth-stencil target of our own (reversed depth, far plane at infinity);
+ * 3. for every light: caster culling, silhouette, shadow volume, stencil count; a non-zero count clears the light's
+ *    bit in the shadow mask;
+ * 4. VTK draws its opaque pass, with the diffuse and specular part of each light multiplied by the mask.
+ *
+ * Translucent actors and volumes are drawn after that as vtkRenderStepsPass would; they neither cast nor receive.
+ *
+ * @par Source
+ * Shi 2006 (master's thesis, Umea University), chapter 4.2; Everitt & Kilgard 2002; Lengyel 2002.
+ *
+ * @sa vtkShadowMapPass vtkRenderStepsPass
+ */
+#ifndef vtkShadowVolumePass_h
+#define vtkShadowVolumePass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkShadowPassesModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkImageData;
+class vtkProp;
+
+class VTKSHADOWPASSES_EXPORT vtkShadowVolumePass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkShadowVolumePass* New();
+  vtkTypeMacro(vtkShadowVolumePass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How shadow volumes are counted.
+  enum StencilMethods
+  {
+    STENCIL_AUTO = 0, ///< z-pass where the eye cannot be in the caster's shadow, else z-fail; per caster and light
+    STENCIL_ZPASS,    ///< z-pass always: wrong when the near plane is inside a shadow volume
+    STENCIL_ZFAIL     ///< z-fail always: right everywhere, slower
+  };
+
+  ///@{
+  /**
+   * Count in front of the surface (z-pass), behind it (z-fail), or what each caster and light need (Auto, the
+   * default).
+   */
+  vtkSetClampMacro(StencilMethod, int, STENCIL_AUTO, STENCIL_ZFAIL);
+  vtkGetMacro(StencilMethod, int);
+  void SetStencilMethodToAuto() { this->SetStencilMethod(STENCIL_AUTO); }
+  void SetStencilMethodToZPass() { this->SetStencilMethod(STENCIL_ZPASS); }
+  void SetStencilMethodToZFail() { this->SetStencilMethod(STENCIL_ZFAIL); }
+  ///@}
+
+  /// How silhouettes are found.
+  enum SilhouetteMethods
+  {
+    SILHOUETTE_BRUTE_FORCE = 0 ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+  };
+
+  ///@{
+  /**
+   * The silhouette method. All methods give the same picture. Default: SILHOUETTE_BRUTE_FORCE.
+   */
+  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_BRUTE_FORCE);
+  vtkGetMacro(SilhouetteMethod, int);
+  ///@}
+
+  /// How light and shadow are put together.
+  enum CompositingMethods
+  {
+    COMPOSITING_MASK = 0, ///< one opaque pass that reads the shadow mask of all lights
+    COMPOSITING_ADDITIVE  ///< the thesis's: an ambient pass, then one lighting pass for each light, added up
+  };
+
+  ///@{
+  /**
+   * Mask (default) or Additive. Additive adds in display space, so physically based actors, whose shader ends in a
+   * gamma curve, are drawn as in Mask also there.
+   */
+  vtkSetClampMacro(Compositing, int, COMPOSITING_MASK, COMPOSITING_ADDITIVE);
+  vtkGetMacro(Compositing, int);
+  void SetCompositingToMask() { this->SetCompositing(COMPOSITING_MASK); }
+  void SetCompositingToAdditive() { this->SetCompositing(COMPOSITING_ADDITIVE); }
+  ///@}
+
+  ///@{
+  /**
+   * How much of a light's diffuse and specular part its shadow takes away: 0 none, 1 (default) all. It is multiplied
+   * with the light's own vtkLight::ShadowAttenuation.
+   */
+  vtkSetClampMacro(ShadowIntensity, double, 0.0, 1.0);
+  vtkGetMacro(ShadowIntensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Samples a pixel of the shadow mask, for smooth shadow edges: 1 (default), 2, 4, 8, ... A number that the GL
+   * cannot do is lowered to one it can.
+   */
+  vtkSetClampMacro(Samples, int, 1, 32);
+  vtkGetMacro(Samples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points of a caster that are closer than this (in its model units) count as one. Default 0: points with equal
+   * coordinates.
+   */
+  vtkSetClampMacro(WeldTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(WeldTolerance, double);
+  ///@}
+
+  /// What the pass draws.
+  enum Scopes
+  {
+    SCOPE_AUTO = 0, ///< found out from the renderer's pass: opaque where another pass draws the rest, else complete
+    SCOPE_OPAQUE,   ///< opaque geometry only
+    SCOPE_COMPLETE  ///< lights, opaque, translucent, volumetric and overlay
+  };
+
+  ///@{
+  /**
+   * What the pass draws. Auto (default) is right in the three uses above; set it when the pass sits in a tree of passes
+   * that Auto cannot look into.
+   */
+  vtkSetClampMacro(Scope, int, SCOPE_AUTO, SCOPE_COMPLETE);
+  vtkGetMacro(Scope, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a prop casts shadows (it receives them in any case). Default: every opaque prop does. For an assembly this
+   * holds for all its parts; a part can be switched off alone. The prop is not kept alive.
+   */
+  void SetCasting(vtkProp* prop, bool casting);
+  bool GetCasting(vtkProp* prop);
+  ///@}
+
+  ///@{
+  /**
+   * Wait for the GL after each stage, so that the milliseconds below tell what the stage cost and not only how long it
+   * took to hand it over. Default: off.
+   */
+  vtkSetMacro(MeasureStages, bool);
+  vtkGetMacro(MeasureStages, bool);
+  vtkBooleanMacro(MeasureStages, bool);
+  ///@}
+
+  /// Whether the last rendering had its shadows.
+  enum StatusCodes
+  {
+    STATUS_OK = 0,        ///< all shadows are there
+    STATUS_PARTIAL,       ///< drawn, but something was left out: see GetStatusMessage()
+    STATUS_NOT_SUPPORTED, ///< the GL lacks what shadow volumes need: drawn without shadows
+    STATUS_NOT_RENDERED   ///< nothing has been rendered yet
+  };
+  int GetStatus() const;
+
+  /**
+   * One line a cause for a status other than OK; empty otherwise.
+   */
+  std::string GetStatusMessage() const;
+
+  ///@{
+  /**
+   * Statistics of the last rendering: triangles handed to the GL. For a closed mesh, a point light and Additive,
+   * GetTotalTriangles() is the thesis's t + (t + k) lights for z-pass and t + (2t + k) lights for z-fail, with t the
+   * scene's and k the volume sides' triangles. The pre-pass that fills our own depth buffer is counted apart.
+   */
+  vtkIdType GetPrePassTriangles() const;
+  vtkIdType GetAmbientTriangles() const;  ///< Mask: the one opaque pass
+  vtkIdType GetSideTriangles() const;     ///< all lights
+  vtkIdType GetCapTriangles() const;      ///< all lights
+  vtkIdType GetLightingTriangles() const; ///< all lights; 0 for Mask
+  vtkIdType GetTotalTriangles() const;    ///< ambient + sides + caps + lighting
+  vtkIdType GetSilhouetteEdges() const;   ///< all casters and lights, with multiplicity
+  ///@}
+
+  ///@{
+  /**
+   * Statistics of the last rendering: casters are counted once for each path and light.
+   */
+  int GetNumberOfShadowLights() const;
+  int GetNumberOfCasters() const;     ///< whose volume was drawn
+  int GetNumberOfZFailCasters() const; ///< of these, by z-fail
+  int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before
+  int GetNumberOfSkippedCasters() const;
+  std::string GetSkippedCaster(int index) const; ///< "name: reason", or "" when there is no such index
+  ///@}
+
+  ///@{
+  /**
+   * Milliseconds of the last rendering's stages, see MeasureStages.
+   */
+  double GetSceneMilliseconds() const;      ///< mirroring props, adjacency
+  double GetSilhouetteMilliseconds() const; ///< facing, silhouette, volume, all lights
+  double GetPrePassMilliseconds() const;
+  double GetStencilMilliseconds() const;
+  double GetLightingMilliseconds() const;
+  ///@}
+
+  /**
+   * Bytes that the adjacency, the volumes and the GL buffers and targets of this pass hold now.
+   */
+  vtkIdType GetMemorySize() const;
+
+  /**
+   * Copies the shadow mask of the last rendering into an image: one 8-bit component, as large as the renderer, 255 where
+   * the light reaches the surface (and where there is none), 0 in shadow. With Samples > 1 the share of reached samples.
+   *
+   * @param light  index among the renderer's lights that are switched on; a headlight has no shadow, its mask is 255
+   * @return false, with an error, when there is no such light or nothing has been rendered
+   */
+  bool GetShadowMask(int light, vtkImageData* image);
+
+  ///@{
+  /**
+   * Called by VTK.
+   */
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader,
+    vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+protected:
+  vtkShadowVolumePass();
+  ~vtkShadowVolumePass() override;
+
+private:
+  vtkShadowVolumePass(const vtkShadowVolumePass&) = delete;
+  void operator=(const vtkShadowVolumePass&) = delete;
+
+  void RenderPart(vtkRenderPass* pass, const vtkRenderState* s);
+  void RenderShadowed(const vtkRenderState* s);
+
+  int StencilMethod = STENCIL_AUTO;
+  int SilhouetteMethod = SILHOUETTE_BRUTE_FORCE;
+  int Compositing = COMPOSITING_MASK;
+  int Scope = SCOPE_AUTO;
+  int Samples = 1;
+  double ShadowIntensity = 1.0;
+  double WeldTolerance = 0.0;
+  bool MeasureStages = false;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,128 @@
+// The getters of vtkShadowVolumePass that tell what the last rendering did.
+#include "ShadowPassInternals.h"
+#include "vtkShadowVolumePass.h"
+
+#include <iterator>
+
+//------------------------------------------------------------------------------
+int vtkShadowVolumePass::GetStatus() const
+{
+  return this->Internals->Status;
+}
+
+std::string vtkShadowVolumePass::GetStatusMessage() const
+{
+  return this->Internals->Message;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkShadowVolumePass::GetPrePassTriangles() const
+{
+  return static_cast<vtkIdType>(this->Internals->GetStatistics().prePassTriangles);
+}
+
+vtkIdType vtkShadowVolumePass::GetAmbientTriangles() const
+{
+  return this->Internals->Current != nullptr
+    ? static_cast<vtkIdType>(this->Internals->Current->Builder.getTriangles())
+    : 0;
+}
+
+vtkIdType vtkShadowVolumePass::GetSideTriangles() const
+{
+  return static_cast<vtkIdType>(this->Internals->GetStatistics().sideTriangles);
+}
+
+vtkIdType vtkShadowVolumePass::GetCapTriangles() const
+{
+  return static_cast<vtkIdType>(this->Internals->GetStatistics().capTriangles);
+}
+
+vtkIdType vtkShadowVolumePass::GetLightingTriangles() const
+{
+  return this->Internals->LightingPasses * this->GetAmbientTriangles();
+}
+
+vtkIdType vtkShadowVolumePass::GetTotalTriangles() const
+{
+  return this->GetAmbientTriangles() + this->GetSideTriangles() + this->GetCapTriangles() +
+    this->GetLightingTriangles();
+}
+
+vtkIdType vtkShadowVolumePass::GetSilhouetteEdges() const
+{
+  return static_cast<vtkIdType>(this->Internals->GetStatistics().silhouetteEdges);
+}
+
+//------------------------------------------------------------------------------
+int vtkShadowVolumePass::GetNumberOfShadowLights() const
+{
+  return this->Internals->ShadowLights;
+}
+
+int vtkShadowVolumePass::GetNumberOfCasters() const
+{
+  return this->Internals->GetStatistics().casters;
+}
+
+int vtkShadowVolumePass::GetNumberOfZFailCasters() const
+{
+  return this->Internals->GetStatistics().zFailCasters;
+}
+
+int vtkShadowVolumePass::GetNumberOfRebuiltVolumes() const
+{
+  return this->Internals->GetStatistics().rebuiltVolumes;
+}
+
+int vtkShadowVolumePass::GetNumberOfSkippedCasters() const
+{
+  return static_cast<int>(this->Internals->Skipped.size());
+}
+
+std::string vtkShadowVolumePass::GetSkippedCaster(int index) const
+{
+  if (index < 0 || index >= this->GetNumberOfSkippedCasters())
+  {
+    return "";
+  }
+  const auto skipped = std::next(this->Internals->Skipped.begin(), index);
+  return skipped->name + ": " + skipped->reason;
+}
+
+//------------------------------------------------------------------------------
+double vtkShadowVolumePass::GetSceneMilliseconds() const
+{
+  return this->Internals->SceneMilliseconds;
+}
+
+double vtkShadowVolumePass::GetSilhouetteMilliseconds() const
+{
+  return this->Internals->GetStatistics().silhouetteMilliseconds;
+}
+
+double vtkShadowVolumePass::GetPrePassMilliseconds() const
+{
+  return this->Internals->GetStatistics().prePassMilliseconds;
+}
+
+double vtkShadowVolumePass::GetStencilMilliseconds() const
+{
+  return this->Internals->GetStatistics().stencilMilliseconds;
+}
+
+double vtkShadowVolumePass::GetLightingMilliseconds() const
+{
+  return this->Internals->LightingMilliseconds;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkShadowVolumePass::GetMemorySize() const
+{
+  std::size_t bytes = 0;
+  for (const auto& entry : this->Internals->Renderers)
+  {
+    bytes += entry.second->Builder.getMemorySize() + entry.second->Effect->getGraphicsMemorySize();
+  }
+  return static_cast<vtkIdType>(bytes);
+}

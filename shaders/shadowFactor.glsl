@@ -1,0 +1,76 @@
+// shadowFactor.glsl - put in front of main() of VTK's own fragment shaders by plugin/LightingHook.
+// unif shadowMask      usampler2D[MS]  bit i set: light i reaches the surface
+// unif shadowDepth     sampler2D[MS]   depth of that surface
+// unif shadowOrigin    ivec2           lower left pixel of the viewport
+// unif shadowStrength  float[]         a light: ShadowIntensity * ShadowAttenuation, 0 for one without shadows
+// unif shadowPass      int             -1 all lights, -2 none (ambient pass), else only this light (lighting pass)
+// unif shadowMatch     int             1: the fragment may not be the surface of the mask, compare depths
+// def  SHADOW_SAMPLES  samples a pixel
+// unif shadowRange     vec4            x, y: stored depth d to distance (perspective x / d, parallel x + y d);
+//                                      z, w: parallel gl_FragCoord.z to distance z + w z; y = w = 0: perspective
+// unif shadowReversed  int             1: d is the stored depth, 0: 1 - stored depth
+#if SHADOW_SAMPLES > 1
+uniform usampler2DMS shadowMask;
+uniform sampler2DMS shadowDepth;
+#else
+uniform usampler2D shadowMask;
+uniform sampler2D shadowDepth;
+#endif
+uniform ivec2 shadowOrigin;
+uniform float shadowStrength[32];
+uniform int shadowPass;
+uniform int shadowMatch;
+uniform vec4 shadowRange;
+uniform int shadowReversed;
+
+// 1 when the sample of the mask belongs to the surface that is shaded, 0 when to another one.
+float shadowSameSurface(ivec2 pixel, int sampleIndex, float distanceHere, float tolerance)
+{
+  float stored = texelFetch(shadowDepth, pixel, sampleIndex).r;
+  float depth = shadowReversed == 1 ? stored : 1.0 - stored;
+  float distanceThere = shadowRange.y == 0.0 ? shadowRange.x / max(depth, 1e-30) : shadowRange.x + shadowRange.y * depth;
+  return abs(distanceThere - distanceHere) <= tolerance ? 1.0 : 0.0;
+}
+
+// Share of the light that reaches the fragment: 1 all, 0 none.
+float shadowReached(int light)
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - shadowOrigin;
+#if SHADOW_SAMPLES == 1
+  if (shadowMatch == 0)
+  {
+    return float((texelFetch(shadowMask, pixel, 0).r >> uint(light)) & 1u);
+  }
+#endif
+  float distanceHere = shadowRange.y == 0.0 ? 1.0 / gl_FragCoord.w : shadowRange.z + shadowRange.w * gl_FragCoord.z;
+  float tolerance = 2.0 * fwidth(distanceHere) + 1e-4 * abs(distanceHere);
+  float all = 0.0;
+  float same = 0.0;
+  float reached = 0.0;
+  for (int i = 0; i < SHADOW_SAMPLES; ++i)
+  {
+    float bit = float((texelFetch(shadowMask, pixel, i).r >> uint(light)) & 1u);
+    float weight = shadowSameSurface(pixel, i, distanceHere, tolerance);
+    all += bit;
+    same += weight;
+    reached += weight * bit;
+  }
+  if (same > 0.0)
+  {
+    return reached / same;
+  }
+  return shadowMatch == 1 ? 1.0 : all / float(SHADOW_SAMPLES);
+}
+
+// What the diffuse and specular part of a light is multiplied with.
+float shadowFactor(int light)
+{
+  float strength = shadowStrength[light];
+  return strength == 0.0 ? 1.0 : 1.0 - strength * (1.0 - shadowReached(light));
+}
+
+// The same in an additive pass, where the other lights have their own.
+float shadowFactorOfPass(int light)
+{
+  return shadowPass == -1 || shadowPass == light ? shadowFactor(light) : 0.0;
+}

@@ -1,0 +1,147 @@
+// What a mesh costs before anything is drawn: adjacency once, then facing and silhouette for each light.
+// Items are triangles.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "AllocationCounter.h"
+#include "BruteForceSilhouette.h"
+#include "OverlapBound.h"
+#include "ShadowVolume.h"
+#include "TestMeshes.h"
+
+namespace
+{
+
+using shadow::test::AllocationCounter;
+
+const glm::dvec4 lightMC(3.0, 4.0, 5.0, 1.0);
+
+/// How the triangles arrive.
+enum class Input
+{
+  Shared,   ///< neighbours use the same points
+  Unshared, ///< three points a triangle, as in an STL file
+  Scrambled ///< half of the triangles wound the wrong way
+};
+
+/// A torus of 2 * across * 2 * across triangles.
+shadow::TriangleSoup makeInput(std::int64_t across, Input input)
+{
+  const auto count = static_cast<std::uint32_t>(across);
+  shadow::TriangleSoup soup = shadow::test::makeTorus(1.0, 0.4, 2 * count, count);
+  if (input == Input::Scrambled)
+  {
+    shadow::test::turnRandomly(soup, 1);
+  }
+  soup.points.shrink_to_fit();
+  soup.triangles.shrink_to_fit();
+  return input == Input::Unshared ? shadow::test::makeUnshared(soup) : soup;
+}
+
+void countItems(benchmark::State& state, std::size_t triangles)
+{
+  state.SetItemsProcessed(static_cast<std::int64_t>(triangles) * state.iterations());
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+
+void buildAdjacency(benchmark::State& state, Input input)
+{
+  const shadow::TriangleSoup soup = makeInput(state.range(0), input);
+  std::size_t peak = 0;
+  for (auto _ : state)
+  {
+    state.PauseTiming();
+    const std::size_t before = AllocationCounter::getCurrent();
+    shadow::TriangleSoup copy = soup;
+    AllocationCounter::resetPeak();
+    std::string error;
+    state.ResumeTiming();
+    auto geometry = shadow::buildSEDGeometry(std::move(copy), shadow::SEDGeometryOptions(), error);
+    benchmark::DoNotOptimize(geometry);
+    state.PauseTiming();
+    peak = AllocationCounter::getPeak() - before;
+    geometry.reset();
+    state.ResumeTiming();
+  }
+  countItems(state, soup.triangles.size());
+  state.counters["peakBytesPerTriangle"] =
+    static_cast<double>(peak) / static_cast<double>(soup.triangles.size());
+}
+
+void computeFacing(benchmark::State& state)
+{
+  const shadow::SEDGeometry geometry = shadow::test::build(makeInput(state.range(0), Input::Shared));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(shadow::computeFacing(geometry, lightMC));
+  }
+  countItems(state, geometry.getTriangles().size());
+}
+
+void findSilhouette(benchmark::State& state, shadow::Casting casting)
+{
+  const shadow::SEDGeometry geometry = shadow::test::build(makeInput(state.range(0), Input::Shared));
+  const shadow::LightFacing facing = shadow::computeFacing(geometry, lightMC);
+  const shadow::BruteForceSilhouette finder;
+  std::size_t edges = 0;
+  for (auto _ : state)
+  {
+    const auto silhouette = finder.find(geometry, facing, casting);
+    edges = silhouette.size();
+    benchmark::DoNotOptimize(silhouette.data());
+  }
+  countItems(state, geometry.getTriangles().size());
+  state.counters["silhouetteEdges"] = static_cast<double>(edges);
+}
+
+void extrude(benchmark::State& state, bool withCaps)
+{
+  const shadow::SEDGeometry geometry = shadow::test::build(makeInput(state.range(0), Input::Shared));
+  const shadow::LightFacing facing = shadow::computeFacing(geometry, lightMC);
+  const auto silhouette =
+    shadow::BruteForceSilhouette().find(geometry, facing, shadow::Casting::LightFacing);
+  const shadow::ShadowVolumeOptions options{withCaps,
+                                            withCaps ? shadow::DarkCap::Triangles : shadow::DarkCap::None};
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(shadow::extrudeSilhouette(geometry, silhouette, facing,
+                                                       shadow::Casting::LightFacing, lightMC, options));
+  }
+  countItems(state, geometry.getTriangles().size());
+}
+
+void boundOverlap(benchmark::State& state)
+{
+  const shadow::SEDGeometry geometry = shadow::test::build(makeInput(state.range(0), Input::Shared));
+  const shadow::LightFacing facing = shadow::computeFacing(geometry, lightMC);
+  const auto silhouette =
+    shadow::BruteForceSilhouette().find(geometry, facing, shadow::Casting::LightFacing);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(
+      shadow::boundOverlap(geometry, silhouette, facing, shadow::Casting::LightFacing, lightMC));
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(silhouette.size()) * state.iterations());
+}
+
+/// 69,696 and 1,000,000 triangles.
+void sizes(benchmark::internal::Benchmark* benchmark)
+{
+  benchmark->Arg(132)->Arg(500)->Unit(benchmark::kMillisecond);
+}
+
+} // namespace
+
+BENCHMARK_CAPTURE(buildAdjacency, torus / shared, Input::Shared)->Apply(sizes);
+BENCHMARK_CAPTURE(buildAdjacency, torus / unshared, Input::Unshared)->Apply(sizes);
+BENCHMARK_CAPTURE(buildAdjacency, torus / scrambled, Input::Scrambled)->Apply(sizes);
+BENCHMARK(computeFacing)->Name("computeFacing/torus")->Apply(sizes);
+BENCHMARK_CAPTURE(findSilhouette, torus / lightFacing, shadow::Casting::LightFacing)->Apply(sizes);
+BENCHMARK_CAPTURE(findSilhouette, torus / everyTriangle, shadow::Casting::EveryTriangle)->Apply(sizes);
+BENCHMARK_CAPTURE(extrude, torus / sides, false)->Apply(sizes);
+BENCHMARK_CAPTURE(extrude, torus / caps, true)->Apply(sizes);
+BENCHMARK(boundOverlap)->Name("boundOverlap/torus")->Apply(sizes);

@@ -1,0 +1,17 @@
+# Tests of the example programs. Included by tests/unit/CMakeLists.txt; does nothing where the programs are not built.
+if(TARGET shadow_examples)
+  add_executable(test_examples test_example_lights.cxx test_output_files.cxx test_render_options.cxx)
+  target_link_libraries(test_examples PRIVATE shadow_examples shadow_warnings GTest::gtest_main
+    VTK::CommonMath VTK::IOImage)
+  gtest_discover_tests(test_examples DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+
+  find_program(SHADOW_TEST_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  find_program(SHADOW_TEST_PYTHON python3)
+  if(SHADOW_TEST_PYTHON)
+    add_test(NAME shadow_render.CommandLine
+      COMMAND ${SHADOW_TEST_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/shadow_render_cli.py $<TARGET_FILE:shadow_render>)
+    set_tests_properties(shadow_render.CommandLine PROPERTIES LABELS unit TIMEOUT 600)
+  endif()
+  add_test(NAME minimal.WritesPicture COMMAND minimal WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  set_tests_properties(minimal.WritesPicture PROPERTIES LABELS unit)
+endif()

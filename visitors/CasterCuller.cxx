@@ -1,0 +1,162 @@
+#include "CasterCuller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadow
+{
+
+namespace
+{
+
+using Corners = std::array<glm::dvec3, 8>;
+
+// Rounding of a few products of coordinates this large; far above the truth, far below a pixel.
+double slack(const glm::dvec4& plane, const glm::dvec3& point)
+{
+  const glm::dvec3 normal(plane);
+  return 1e-9 * (glm::dot(glm::abs(normal), glm::abs(point)) + std::abs(plane.w));
+}
+
+bool allOutside(const glm::dvec4& plane, const Corners& corners)
+{
+  return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+    return glm::dot(plane, glm::dvec4(corner, 1.0)) < -slack(plane, corner);
+  });
+}
+
+// The caster is outside the plane and its shadow runs along or away from it.
+bool shadowOutside(const glm::dvec4& plane, const Corners& corners, const Light& light)
+{
+  return allOutside(plane, corners) &&
+         std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+           const glm::dvec3 away = corner * light.positionWC.w - glm::dvec3(light.positionWC);
+           const glm::dvec3 normal(plane);
+           return glm::dot(normal, away) <= -1e-9 * glm::length(normal) * glm::length(away);
+         });
+}
+
+// Planes (inside positive) of the convex hull of the near rectangle and the light. Empty when the light is so close to
+// the near plane that the hull has no volume to speak of: nothing can then be said to lie outside.
+std::vector<glm::dvec4> makeNearVolume(const View& view, const Light& light)
+{
+  const std::array<glm::dvec3, 4>& nearWC = view.nearWC;
+  const glm::dvec3 centre = 0.25 * (nearWC[0] + nearWC[1] + nearWC[2] + nearWC[3]);
+  const double size = std::max(glm::distance(nearWC[0], nearWC[2]), glm::distance(nearWC[1], nearWC[3]));
+  const glm::dvec3 nearNormal = glm::normalize(glm::cross(nearWC[1] - nearWC[0], nearWC[3] - nearWC[0]));
+  const glm::dvec3 position(light.positionWC);
+  const glm::dvec3 toLight = position - centre * light.positionWC.w;
+  const double height = glm::dot(nearNormal, toLight);
+  if (std::abs(height) <= 1e-6 * (light.positionWC.w == 0.0 ? glm::length(toLight) : size))
+  {
+    return {};
+  }
+  std::vector<glm::dvec4> planes;
+  const glm::dvec3 base = height > 0.0 ? nearNormal : -nearNormal;
+  planes.emplace_back(base, -glm::dot(base, centre));
+  const glm::dvec3 inside = light.positionWC.w == 0.0 ? centre + size * glm::normalize(toLight)
+                                                      : centre + 0.5 * toLight;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const glm::dvec3& a = nearWC[i];
+    const glm::dvec3 edge = nearWC[(i + 1) % 4] - a;
+    glm::dvec3 normal = glm::cross(edge, position - a * light.positionWC.w);
+    normal /= std::max(glm::length(normal), 1e-300);
+    double offset = -glm::dot(normal, a);
+    if (glm::dot(normal, inside) + offset < 0.0)
+    {
+      normal = -normal;
+      offset = -offset;
+    }
+    planes.emplace_back(normal, offset);
+  }
+  if (light.positionWC.w != 0.0)
+  {
+    // Nothing beyond the light stands between it and the near rectangle.
+    planes.emplace_back(-base, glm::dot(base, position));
+  }
+  return planes;
+}
+
+bool lightOutsideBoundingSphere(const Light& light, const Corners& corners)
+{
+  const glm::dvec3 centre = 0.5 * (corners[0] + corners[7]);
+  double radius = 0.0;
+  for (const glm::dvec3& corner : corners)
+  {
+    radius = std::max(radius, glm::distance(centre, corner));
+  }
+  return light.positionWC.w == 0.0 || glm::distance(glm::dvec3(light.positionWC), centre) > radius * (1.0 + 1e-6);
+}
+
+} // namespace
+
+CasterCuller::CasterCuller(const View& theView, const std::vector<Light>& theLights, StencilMethod theMethod)
+  : view(theView)
+  , lights(theLights)
+  , method(theMethod)
+{
+  for (const Light& light : theLights)
+  {
+    this->nearVolumes.push_back(makeNearVolume(theView, light));
+  }
+}
+
+void CasterCuller::apply(SEDGeode& geode)
+{
+  PathState& path = geode.getPathState(this->getPath());
+  path.modelToWorld = this->getModelToWorld();
+  const Corners corners = worldCorners(geode.getGeometry(), path.modelToWorld);
+  path.inView = std::none_of(this->view.planes.begin(), this->view.planes.end(),
+                             [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
+  for (std::size_t i = 0; i < this->lights.size(); ++i)
+  {
+    const Light& light = this->lights[i];
+    PathLightState& state = path.lights[light.index];
+    state.plan = {};
+    if (!this->isCasting())
+    {
+      continue;
+    }
+    state.plan = this->plan(i, corners, path.inView);
+    if (state.plan.skipReason != nullptr)
+    {
+      this->skipped.insert({this->getPath().back()->name, state.plan.skipReason});
+    }
+    this->casters += state.plan.count != StencilCount::Skip ? 1 : 0;
+    this->zFailCasters += state.plan.count == StencilCount::ZFail ? 1 : 0;
+  }
+}
+
+CasterPlan CasterCuller::plan(std::size_t lightPlace, const Corners& corners, bool inView) const
+{
+  const Light& light = this->lights[lightPlace];
+  CasterPlan result;
+  if (std::any_of(this->view.planes.begin(), this->view.planes.end(),
+                  [&](const glm::dvec4& plane) { return shadowOutside(plane, corners, light); }))
+  {
+    result.skipReason = "its shadow lies outside the view";
+    return result;
+  }
+  const std::vector<glm::dvec4>& nearVolume = this->nearVolumes[lightPlace];
+  const bool nearIsLit = std::any_of(nearVolume.begin(), nearVolume.end(),
+                                     [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
+  const bool zPass = this->method == StencilMethod::ZPass || (this->method == StencilMethod::Auto && nearIsLit);
+  result.count = zPass ? StencilCount::ZPass : StencilCount::ZFail;
+  if (zPass)
+  {
+    // A cap lies on the caster's own surface, so it is in front of what is seen only where that surface is not drawn.
+    result.lightCap = this->getFaceCulling() != FaceCulling::None;
+    return result;
+  }
+  const bool explicitZFail = this->method == StencilMethod::ZFail;
+  result.lightCap = explicitZFail || inView;
+  if (light.positionWC.w != 0.0)
+  {
+    const bool fan = !explicitZFail && lightOutsideBoundingSphere(light, corners);
+    result.darkCap = fan ? DarkCap::Fan : DarkCap::Triangles;
+  }
+  return result;
+}
+
+} // namespace shadow

@@ -1,0 +1,79 @@
+#include "DrawVisitor.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+
+namespace shadow
+{
+
+void DrawVisitor::apply(SEDGeode& geode)
+{
+  PathState& path = geode.getPathState(this->getPath());
+  if (geode.renderMode.what == RenderMode::What::Geometry)
+  {
+    if (path.inView && path.reachableRevision != 0)
+    {
+      this->drawGeometry(geode, path);
+    }
+    return;
+  }
+  const auto light = path.lights.find(geode.renderMode.light);
+  if (light != path.lights.end() && light->second.plan.count == geode.renderMode.count && light->second.extruded)
+  {
+    this->drawVolumes(geode, light->second, geode.renderMode.count);
+  }
+}
+
+// Sets the matrices; true when counter-clockwise in model space is clockwise on the screen.
+bool DrawVisitor::setMatrices(const SEDGeode& geode)
+{
+  const glm::dmat4 wcFromMC = glm::translate(this->getModelToWorld(), geode.getGeometry().getOrigin());
+  setUniform(this->pass.program, "clipFromMC", this->pass.clipFromWC * wcFromMC);
+  if (this->pass.view->parallel)
+  {
+    setUniform(this->pass.program, "nearFromMC", this->pass.view->viewDepth * wcFromMC);
+  }
+  return this->pass.view->mirrored != (glm::determinant(glm::dmat3(wcFromMC)) < 0.0);
+}
+
+void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
+{
+  const bool mirrored = this->setMatrices(geode);
+  vtkOpenGLState* state = this->pass.state;
+  glFrontFace(mirrored ? GL_CW : GL_CCW);
+  SEDGeometryDrawable& drawable = this->pass.drawables->getGeometry(geode.getSharedGeometry());
+  this->pass.program->SetUniformi("reachableBits", this->pass.textureUnit);
+  ReachableBitsTexture& bits = this->pass.drawables->getReachableBits(path, this->pass.maximumTexels);
+  for (const ReachableBitsTexture::Part& part : bits.getParts())
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->pass.textureUnit));
+    glBindTexture(GL_TEXTURE_BUFFER, part.texture);
+    drawable.draw(this->pass.program, part.first, part.count);
+    this->counts.geometry += part.count;
+  }
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glFrontFace(GL_CCW);
+}
+
+void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light, StencilCount count)
+{
+  const bool mirrored = this->setMatrices(geode);
+  setUniform(this->pass.program, "lightMC", light.lightMC);
+  SEDGeometryDrawable& geometry = this->pass.drawables->getGeometry(geode.getSharedGeometry());
+  for (std::size_t part = 0; part < light.volumes.size(); ++part)
+  {
+    const ShadowVolume& volume = light.volumes[part];
+    this->pass.makeRoom(volume.overlapBound);
+    ShadowVolumeDrawable& drawable = this->pass.drawables->getVolume(light, part);
+    drawable.draw(this->pass.state, this->pass.program, geometry.getVertexBuffer(), count, mirrored);
+    this->counts.sides += volume.sides.size();
+    this->counts.caps += volume.getTriangleCount() - volume.sides.size();
+    this->counts.silhouetteEdges += volume.silhouetteEdges;
+  }
+}
+
+} // namespace shadow
