@@ -1,11 +1,13 @@
 #include "Camera.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shadow::examples
 {
@@ -17,101 +19,133 @@ constexpr Vector3 TOWARDS_EYE = {0.42, 0.52, 1.0};
 
 constexpr double VIEW_ANGLE = 30.0;
 
-// Room around the subject.
+// Room around the subject, as a factor.
 constexpr double MARGIN = 1.08;
 
 // How far from the models' centre a shadow counts, in diagonals: one of a low light would shrink all else to
 // a dot.
-constexpr double LONGEST_SHADOW = 1.1;
+constexpr double LONGEST_SHADOW = 1.6;
 
 Vector3 subtract(const Vector3& a, const Vector3& b)
 {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// Adds where a light throws a corner of the models on the floor.
-void addShadow(std::vector<Vector3>& points, const Vector3& corner, const LightOption& light,
-               const CameraSubject& subject, const Vector3& centre)
+struct Basis
 {
-  const Vector3 ray =
-      light.kind == LightOption::Kind::Directional ? light.direction : subtract(corner, light.position);
-  const double height = corner[1] - *subject.floorHeight;
+  Vector3 right, up, towardsEye; ///< unit vectors
+};
+
+Basis viewBasis()
+{
+  Basis basis;
+  basis.towardsEye = TOWARDS_EYE;
+  vtkMath::Normalize(basis.towardsEye.data());
+  const Vector3 worldUp = {0.0, 1.0, 0.0};
+  vtkMath::Cross(worldUp.data(), basis.towardsEye.data(), basis.right.data());
+  vtkMath::Normalize(basis.right.data());
+  vtkMath::Cross(basis.towardsEye.data(), basis.right.data(), basis.up.data());
+  return basis;
+}
+
+// Where a light throws a point of the models on the floor, drawn in to `longest` from their centre.
+std::optional<Vector3> shadowOf(const Vector3& point, const LightOption& light, double floorHeight,
+                                const Vector3& centre, double longest)
+{
+  const bool directional = light.kind == LightOption::Kind::Directional;
+  const Vector3 ray = directional ? light.direction : subtract(point, light.position);
+  const double height = point[1] - floorHeight;
   if (ray[1] >= 0.0 || height <= 0.0)
   {
-    return;
+    return std::nullopt;
   }
   const double reach = height / -ray[1];
-  Vector3 offset = {corner[0] + reach * ray[0] - centre[0], 0.0, corner[2] + reach * ray[2] - centre[2]};
+  const Vector3 offset = {point[0] + reach * ray[0] - centre[0], 0.0, point[2] + reach * ray[2] - centre[2]};
   const double distance = std::hypot(offset[0], offset[2]);
-  const double longest = LONGEST_SHADOW * subject.models.GetDiagonalLength();
   const double scale = distance > longest ? longest / distance : 1.0;
-  points.push_back({centre[0] + scale * offset[0], *subject.floorHeight, centre[2] + scale * offset[2]});
+  return Vector3{centre[0] + scale * offset[0], floorHeight, centre[2] + scale * offset[2]};
 }
 
 std::vector<Vector3> pointsInView(const CameraSubject& subject)
 {
-  std::vector<Vector3> points;
-  Vector3 centre;
-  subject.models.GetCenter(centre.data());
-  for (int index = 0; index < 8; ++index)
+  vtkBoundingBox box;
+  for (const Vector3& point : subject.points)
   {
-    Vector3 corner;
-    subject.models.GetCorner(index, corner.data());
-    points.push_back(corner);
-    for (const LightOption& light : subject.lights)
+    box.AddPoint(point[0], point[1], point[2]);
+  }
+  Vector3 centre;
+  box.GetCenter(centre.data());
+  std::vector<Vector3> points = subject.points;
+  for (std::size_t i = 0; subject.floorHeight && i < subject.points.size() * subject.lights.size(); ++i)
+  {
+    const Vector3& point = subject.points[i / subject.lights.size()];
+    const LightOption& light = subject.lights[i % subject.lights.size()];
+    const auto shadow =
+        shadowOf(point, light, *subject.floorHeight, centre, LONGEST_SHADOW * box.GetDiagonalLength());
+    if (shadow)
     {
-      if (subject.floorHeight)
-      {
-        addShadow(points, corner, light, subject, centre);
-      }
+      points.push_back(*shadow);
     }
   }
   return points;
 }
 
-// The least distance of the eye from `centre` at which all points are inside the view.
-double fittingDistance(const std::vector<Vector3>& points, const Vector3& centre, const Vector3& towardsEye,
-                       double aspect)
+// The points as the view sees them: right, up and towards the eye.
+std::vector<Vector3> inView(const std::vector<Vector3>& points, const Basis& basis)
 {
-  Vector3 right, up;
-  const Vector3 worldUp = {0.0, 1.0, 0.0};
-  vtkMath::Cross(worldUp.data(), towardsEye.data(), right.data());
-  vtkMath::Normalize(right.data());
-  vtkMath::Cross(towardsEye.data(), right.data(), up.data());
-  const double tangentY = std::tan(vtkMath::RadiansFromDegrees(0.5 * VIEW_ANGLE)) / MARGIN;
-  const double tangentX = tangentY * aspect;
-  double distance = 0.0;
+  std::vector<Vector3> result;
+  result.reserve(points.size());
   for (const Vector3& point : points)
   {
-    const Vector3 offset = subtract(point, centre);
-    const double towards = vtkMath::Dot(offset.data(), towardsEye.data());
-    const double x = std::abs(vtkMath::Dot(offset.data(), right.data()));
-    const double y = std::abs(vtkMath::Dot(offset.data(), up.data()));
-    distance = std::max({distance, towards + x / tangentX, towards + y / tangentY});
+    result.push_back({vtkMath::Dot(point.data(), basis.right.data()),
+                      vtkMath::Dot(point.data(), basis.up.data()),
+                      vtkMath::Dot(point.data(), basis.towardsEye.data())});
   }
-  return distance;
+  return result;
+}
+
+// The eye, in the view's own axes, that has all points inside its pyramid and is nearest to them. Each side
+// of the pyramid touches the outermost point in its direction: for the right one, x + z tangent is the same
+// for the eye and that point.
+Vector3 fittingEye(const std::vector<Vector3>& points, double tangentX, double tangentY)
+{
+  constexpr double none = -std::numeric_limits<double>::max();
+  double right = none, left = none, top = none, bottom = none;
+  for (const Vector3& p : points)
+  {
+    right = std::max(right, p[0] + p[2] * tangentX);
+    left = std::max(left, -p[0] + p[2] * tangentX);
+    top = std::max(top, p[1] + p[2] * tangentY);
+    bottom = std::max(bottom, -p[1] + p[2] * tangentY);
+  }
+  const double z = std::max((right + left) / (2.0 * tangentX), (top + bottom) / (2.0 * tangentY));
+  return {0.5 * (right - left), 0.5 * (top - bottom), z};
 }
 
 } // namespace
 
 CameraOption chooseCamera(const CameraSubject& subject)
 {
-  const std::vector<Vector3> points = pointsInView(subject);
-  vtkBoundingBox box;
+  const Basis basis = viewBasis();
+  const std::vector<Vector3> points = inView(pointsInView(subject), basis);
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * VIEW_ANGLE)) / MARGIN;
+  const Vector3 eye = fittingEye(points, tangent * subject.aspect, tangent);
+  double nearest = points.front()[2];
+  double farthest = nearest;
   for (const Vector3& point : points)
   {
-    box.AddPoint(point[0], point[1], point[2]);
+    nearest = std::max(nearest, point[2]);
+    farthest = std::min(farthest, point[2]);
   }
+  const double focalDistance = eye[2] - 0.5 * (nearest + farthest);
+
   CameraOption camera;
-  box.GetCenter(camera.focalPoint.data());
-  Vector3 towardsEye = TOWARDS_EYE;
-  vtkMath::Normalize(towardsEye.data());
-  const double distance = fittingDistance(points, camera.focalPoint, towardsEye, subject.aspect);
+  camera.viewAngle = VIEW_ANGLE;
   for (int i = 0; i < 3; ++i)
   {
-    camera.position[i] = camera.focalPoint[i] + distance * towardsEye[i];
+    camera.position[i] = eye[0] * basis.right[i] + eye[1] * basis.up[i] + eye[2] * basis.towardsEye[i];
+    camera.focalPoint[i] = camera.position[i] - focalDistance * basis.towardsEye[i];
   }
-  camera.viewAngle = VIEW_ANGLE;
   return camera;
 }
 

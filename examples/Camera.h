@@ -3,8 +3,6 @@
 
 #include "OptionValues.h"
 
-#include <vtkBoundingBox.h>
-
 #include <optional>
 #include <vector>
 
@@ -16,7 +14,7 @@ namespace shadow::examples
 /// What a chosen camera shall have in view.
 struct CameraSubject
 {
-  vtkBoundingBox models;
+  std::vector<Vector3> points;       ///< of the models; some thousand tell their shape well enough
   std::vector<LightOption> lights;   ///< the shadows they throw on the floor shall be in view, too
   std::optional<double> floorHeight; ///< y; none: no floor
   double aspect = 1.0;               ///< width / height of the picture
@@ -24,7 +22,8 @@ struct CameraSubject
 
 /// A three-quarter view from above that the subject fills.
 ///
-/// @par Cost  O(lights)
+/// @pre  subject.points is not empty
+/// @par Cost  O(points * lights)
 CameraOption chooseCamera(const CameraSubject& subject);
 
 /// @param parallelScale  half the height of the view in world units; none: perspective

@@ -17,7 +17,7 @@ namespace
 constexpr double UNLIMITED_CONE = 90.0;
 
 // Where the chosen light stands, from the models' centre, in half diagonals.
-constexpr Vector3 CHOSEN = {-1.1, 2.4, 0.9};
+constexpr Vector3 CHOSEN = {-1.4, 2.6, 1.5};
 
 Vector3 subtract(const Vector3& a, const Vector3& b)
 {

@@ -6,6 +6,7 @@
 #include <vtkCellData.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkGenericCell.h>
+#include <vtkMergePoints.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -18,6 +19,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace shadow::examples
 {
@@ -131,6 +134,37 @@ bool areColours(vtkDataArray* array)
          array->GetNumberOfComponents() <= 4;
 }
 
+// Gives triangles that meet at equal coordinates a common point, so that they are shaded as one surface:
+// vtkOBJReader hands out every corner on its own when texture coordinates are numbered in another way than
+// points.
+vtkSmartPointer<vtkPolyData> weld(vtkPolyData* mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  vtkNew<vtkMergePoints> locator;
+  locator->InitPointInsertion(points, mesh->GetBounds(), mesh->GetNumberOfPoints());
+  std::vector<vtkIdType> newIds(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+  {
+    locator->InsertUniquePoint(mesh->GetPoint(id), newIds[static_cast<std::size_t>(id)]);
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(mesh->GetNumberOfPolys(), 3 * mesh->GetNumberOfPolys());
+  const auto iterator = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(size, ids);
+    triangles->InsertNextCell({newIds[ids[0]], newIds[ids[1]], newIds[ids[2]]});
+  }
+  auto welded = vtkSmartPointer<vtkPolyData>::New();
+  welded->SetPoints(points);
+  welded->SetPolys(triangles);
+  welded->GetCellData()->SetScalars(mesh->GetCellData()->GetScalars());
+  return welded;
+}
+
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
 {
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
@@ -138,8 +172,9 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
   {
     return mesh;
   }
+  const bool pointColours = mesh->GetPointData()->GetScalars() != nullptr; // they may differ at one place
   vtkNew<vtkPolyDataNormals> filter;
-  filter->SetInputData(mesh);
+  filter->SetInputData(pointColours ? vtkSmartPointer<vtkPolyData>(mesh) : weld(mesh));
   filter->SetFeatureAngle(30.0);
   filter->SplittingOn();
   filter->ConsistencyOff(); // the winding is the mesh's own

@@ -2,6 +2,7 @@
 
 #include "MeshCheck.h"
 #include "ReaderGuard.h"
+#include "TextCheck.h"
 #include "UserError.h"
 #include "VtkMessages.h"
 
@@ -32,6 +33,8 @@ namespace shadow::examples
 {
 namespace
 {
+
+const std::string DAMAGED = "the file is damaged";
 
 // A data set as its reader left it.
 struct RawPart
@@ -85,6 +88,18 @@ std::vector<RawPart> readStl(const std::string& file)
   return readWith<vtkSTLReader>(file);
 }
 
+// Looks at a text file before its reader does.
+template <typename Reader, std::string (*findDamageIn)(const std::string&)>
+std::vector<RawPart> readTextWith(const std::string& file)
+{
+  const std::string damage = findDamageIn(file);
+  if (!damage.empty())
+  {
+    throw UserError(damage);
+  }
+  return readWith<Reader>(file);
+}
+
 std::optional<Vector3> findColour(vtkDataObject* block)
 {
   vtkDataArray* colour = block->GetFieldData()->GetArray("BaseColorMultiplier");
@@ -127,8 +142,8 @@ std::vector<RawPart> readGltf(const std::string& file)
 const std::map<std::string, ReadFunction>& readers()
 {
   static const std::map<std::string, ReadFunction> table = {
-      {"obj", readWith<vtkOBJReader>},
-      {"ply", readWith<vtkPLYReader>},
+      {"obj", readTextWith<vtkOBJReader, findObjDamage>},
+      {"ply", readTextWith<vtkPLYReader, findPlyDamage>},
       {"stl", readStl},
       {"vtp", readWith<vtkXMLPolyDataReader>},
       {"vtk", readWith<vtkGenericDataObjectReader>},
@@ -180,19 +195,24 @@ bool isFatal(const std::string& warning)
   return warning.find("rror") != std::string::npos || warning.find("EOF") != std::string::npos;
 }
 
+// The pipeline adds that an algorithm failed, which says less than what the algorithm itself said before.
+bool isFromPipeline(const std::string& error)
+{
+  return error.rfind("Algorithm ", 0) == 0;
+}
+
 void checkMessages(const VtkMessages& messages, std::vector<std::string>& warnings)
 {
-  if (!messages.errors().empty())
-  {
-    throw UserError("cannot be read: " + messages.errors().front());
-  }
+  std::vector<std::string> causes = messages.errors();
+  causes.erase(std::remove_if(causes.begin(), causes.end(), isFromPipeline), causes.end());
+  const bool failed = !messages.errors().empty();
   for (const std::string& warning : messages.warnings())
   {
-    if (isFatal(warning))
-    {
-      throw UserError("cannot be read: " + warning);
-    }
-    warnings.push_back(warning);
+    (failed || isFatal(warning) ? causes : warnings).push_back(warning);
+  }
+  if (failed || !causes.empty())
+  {
+    throw UserError("cannot be read: " + (causes.empty() ? DAMAGED : causes.front()));
   }
 }
 
@@ -238,7 +258,7 @@ Model readChecked(const std::string& file, std::vector<std::string>& warnings)
 
 Model readModel(const std::string& file, const std::string& program, std::vector<std::string>& warnings)
 {
-  const ReaderGuard guard(program + ": " + file + ": cannot be read: the file is damaged");
+  const ReaderGuard guard(program + ": " + file + ": cannot be read: " + DAMAGED);
   try
   {
     return readChecked(file, warnings);
@@ -251,9 +271,9 @@ Model readModel(const std::string& file, const std::string& program, std::vector
   {
     throw UserError(file + ": does not fit into memory");
   }
-  catch (const std::exception& error)
+  catch (const std::exception&)
   {
-    throw UserError(file + ": cannot be read: " + error.what());
+    throw UserError(file + ": cannot be read: " + DAMAGED); // a length or an index that a container refused
   }
 }
 

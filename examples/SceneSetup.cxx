@@ -1,9 +1,11 @@
 #include "SceneSetup.h"
 
 #include <vtkActor.h>
+#include <vtkActorCollection.h>
 #include <vtkConeSource.h>
 #include <vtkCubeSource.h>
 #include <vtkCylinderSource.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkParametricFunctionSource.h>
 #include <vtkParametricTorus.h>
@@ -15,6 +17,7 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -37,15 +40,15 @@ constexpr Vector3 FLOOR_COLOUR = {0.82, 0.81, 0.79};
 // Of the scene's height: far below what is seen, far above the rounding of coordinates.
 constexpr double FLOOR_GAP = 1e-3;
 
-// Of the models' diagonal: the shadow of a light at 45 degrees still lies on it.
-constexpr double FLOOR_HALF_SIZE = 4.0;
+// Of the models' diagonal: the chosen view does not reach the rim, nor does the shadow of a low light.
+constexpr double FLOOR_HALF_SIZE = 10.0;
 
 // Some light from everywhere, so that a shadow shows what lies in it.
 void setMaterial(vtkProperty* property, const Vector3& colour)
 {
   property->SetColor(colour[0], colour[1], colour[2]);
-  property->SetAmbient(0.28);
-  property->SetDiffuse(0.78);
+  property->SetAmbient(0.32);
+  property->SetDiffuse(0.74);
   property->SetSpecular(0.12);
   property->SetSpecularPower(30.0);
 }
@@ -157,6 +160,35 @@ vtkBoundingBox addFloor(vtkRenderer* renderer, const vtkBoundingBox& models)
   const auto actor = addSurface(renderer, plane->GetOutput(), FLOOR_COLOUR);
   actor->GetProperty()->SetSpecular(0.0);
   return vtkBoundingBox(actor->GetBounds());
+}
+
+std::vector<Vector3> samplePoints(vtkRenderer* renderer)
+{
+  constexpr vtkIdType enough = 4000;
+  std::vector<vtkActor*> actors;
+  vtkIdType count = 0;
+  vtkCollectionSimpleIterator position;
+  vtkActorCollection* collection = renderer->GetActors(); // collected anew at each call
+  collection->InitTraversal(position);
+  while (vtkActor* actor = collection->GetNextActor(position))
+  {
+    actors.push_back(actor);
+    count += actor->GetMapper()->GetInput()->GetNumberOfPoints();
+  }
+  const vtkIdType step = std::max<vtkIdType>(1, count / enough);
+  std::vector<Vector3> points;
+  for (vtkActor* actor : actors)
+  {
+    vtkDataSet* data = actor->GetMapper()->GetInput();
+    for (vtkIdType id = 0; id < data->GetNumberOfPoints(); id += step)
+    {
+      double point[4] = {0.0, 0.0, 0.0, 1.0};
+      data->GetPoint(id, point);
+      actor->GetMatrix()->MultiplyPoint(point, point);
+      points.push_back({point[0], point[1], point[2]});
+    }
+  }
+  return points;
 }
 
 void setBackground(vtkRenderer* renderer)

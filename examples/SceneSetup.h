@@ -28,6 +28,10 @@ vtkBoundingBox addBuiltInScene(vtkRenderer* renderer);
 /// @return what it takes up, in world space
 vtkBoundingBox addFloor(vtkRenderer* renderer, const vtkBoundingBox& models);
 
+/// Points of all that a renderer shows, in world space; of a large scene about every n-th, so that there are
+/// some thousand.
+std::vector<Vector3> samplePoints(vtkRenderer* renderer);
+
 /// A quiet backdrop, darker below.
 void setBackground(vtkRenderer* renderer);
 

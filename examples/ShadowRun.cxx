@@ -87,15 +87,14 @@ void ShadowRun::openWindow()
 {
   const SizeOption& size = this->options.size;
   this->window->SetMultiSamples(this->options.samples > 1 ? this->options.samples : 0);
-  this->window->SetSize(64, 64); // until the limit is known
-  this->window->Initialize();
+  this->window->SetSize(64, 64);
+  this->window->Render(); // of nothing: VTK asks the GL for its limits not before the first picture
   if (!this->window->IsUsable())
   {
     throw UserError(
         "there is no OSMesa context to draw into" +
         (this->messages.errors().empty() ? std::string() : ": " + this->messages.errors().front()));
   }
-  this->window->MakeCurrent();
   const int limit = vtkTextureObject::GetMaximumTextureSize(this->window);
   if (size.width > limit || size.height > limit)
   {
@@ -109,6 +108,7 @@ void ShadowRun::setUpScene()
 {
   this->modelBounds = this->options.models.empty() ? addBuiltInScene(this->renderer)
                                                    : addModels(this->renderer, this->models);
+  this->modelPoints = samplePoints(this->renderer);
   vtkBoundingBox floor;
   if (this->options.floor)
   {
@@ -137,7 +137,7 @@ void ShadowRun::setUpView()
   if (!this->options.camera)
   {
     CameraSubject subject;
-    subject.models = this->modelBounds;
+    subject.points = this->modelPoints;
     subject.aspect = static_cast<double>(size.width) / size.height;
     if (this->options.floor)
     {

@@ -62,6 +62,7 @@ private:
 
   std::vector<Model> models;
   vtkBoundingBox modelBounds;
+  std::vector<Vector3> modelPoints;
   vtkNew<vtkHeadlessRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkShadowVolumePass> pass;

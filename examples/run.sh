@@ -15,9 +15,13 @@ for ((i = 0; i < $#; ++i)); do
     --help) exec "$build_folder/bin/shadow_render" --help ;;
     --output) output=${arguments[i + 1]-} ;;
     --output=*) output=${arguments[i]#--output=} ;;
-    --frames | --frames=*) numbered=-0000 ;;
+    --frames | --frames=*) numbered=yes ;;
   esac
 done
 
 "$build_folder/bin/shadow_render" "$@"
-echo "The picture: $(realpath "${output%.*}${numbered-}.${output##*.}")"
+if [ -n "${numbered-}" ]; then
+  echo "The pictures: $(realpath "${output%.*}-0000.${output##*.}") and on"
+else
+  echo "The picture: $(realpath "$output")"
+fi

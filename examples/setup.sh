@@ -55,7 +55,7 @@ list_missing() {
   local need package kind what
   for need in "${needs[@]}"; do
     read -r package kind what <<<"$need"
-    is_there "$kind" "$what" || echo "$package"
+    is_there "$kind" "$what" || printf '%s ' "$package"
   done
 }
 
@@ -70,7 +70,7 @@ quietly() {
 
 install_missing() {
   local missing as_root=()
-  mapfile -t missing < <(list_missing)
+  read -r -a missing <<<"$(list_missing)"
   [ ${#missing[@]} -gt 0 ] || return 0
   command -v apt-get >/dev/null || stop "missing packages (Debian's names): ${missing[*]}"
   if [ "$(id -u)" -ne 0 ]; then
@@ -84,7 +84,7 @@ install_missing() {
   as_root+=(env DEBIAN_FRONTEND=noninteractive)
   quietly "${as_root[@]}" apt-get update
   quietly "${as_root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"
-  mapfile -t missing < <(list_missing)
+  read -r -a missing <<<"$(list_missing)"
   [ ${#missing[@]} -eq 0 ] || stop "still missing after the installation: ${missing[*]}"
 }
 

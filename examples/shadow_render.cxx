@@ -4,6 +4,7 @@
 #include "ShadowRun.h"
 #include "UserError.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -26,6 +27,7 @@ int fail(const std::string& message, int code)
 int main(int argc, char* argv[])
 {
   using namespace shadow::examples;
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows over the user's limit is a failed write, not the end
   try
   {
     const RenderOptions options = parseRenderOptions(argc, argv);

@@ -1,8 +1,8 @@
 //VTK::System::Dec
 // prepass.frag - pre-pass. Drawn by nodes/drawable/SEDGeometryDrawable.
 // Starts the shadow mask: a bit stays set where the visible side of the triangle faces the light.
-// unif reachableBits  usamplerBuffer  a texel a triangle: r raster-front, g raster-back side; bit i = light i
-uniform usamplerBuffer reachableBits;
+// in   sideBits  uvec2  of the triangle: x raster-front, y raster-back side; bit i: that side faces light i
+flat in uvec2 sideBits;
 #ifdef SHADOW_PARALLEL
 in float nearDistance;
 #endif
@@ -17,6 +17,5 @@ void main()
     discard;
   }
 #endif
-  uvec2 bits = texelFetch(reachableBits, gl_PrimitiveID).rg;
-  reached = gl_FrontFacing ? bits.x : bits.y;
+  reached = gl_FrontFacing ? sideBits.x : sideBits.y;
 }

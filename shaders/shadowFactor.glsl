@@ -4,8 +4,10 @@
 // unif shadowOrigin    ivec2           lower left pixel of the viewport
 // unif shadowStrength  float[]         a light: ShadowIntensity * ShadowAttenuation, 0 for one without shadows
 // unif shadowPass      int             -1 all lights, -2 none (ambient pass), else only this light (lighting pass)
-// unif shadowMatch     int             1: the fragment may not be the surface of the mask, compare depths
 // def  SHADOW_SAMPLES  samples a pixel
+// def  SHADOW_MATCH    1: the fragment may not be the surface of the mask, compare depths
+//
+// Choices are made by the preprocessor where they can be: a software rasteriser runs both sides of a branch.
 // unif shadowRange     vec4            x, y: stored depth d to distance (perspective x / d, parallel x + y d);
 //                                      z, w: parallel gl_FragCoord.z to distance z + w z; y = w = 0: perspective
 // unif shadowReversed  int             1: d is the stored depth, 0: 1 - stored depth
@@ -19,9 +21,27 @@ uniform sampler2D shadowDepth;
 uniform ivec2 shadowOrigin;
 uniform float shadowStrength[32];
 uniform int shadowPass;
-uniform int shadowMatch;
 uniform vec4 shadowRange;
 uniform int shadowReversed;
+
+#if SHADOW_SAMPLES == 1 && SHADOW_MATCH == 0
+// The mask's word for the fragment; read once, at the start of main().
+uint shadowWord;
+
+void readShadowMask()
+{
+  shadowWord = texelFetch(shadowMask, ivec2(gl_FragCoord.xy) - shadowOrigin, 0).r;
+}
+
+// Share of the light that reaches the fragment: 1 all, 0 none.
+float shadowReached(int light)
+{
+  return float((shadowWord >> uint(light)) & 1u);
+}
+#else
+void readShadowMask()
+{
+}
 
 // 1 when the sample of the mask belongs to the surface that is shaded, 0 when to another one.
 float shadowSameSurface(ivec2 pixel, int sampleIndex, float distanceHere, float tolerance)
@@ -32,16 +52,9 @@ float shadowSameSurface(ivec2 pixel, int sampleIndex, float distanceHere, float 
   return abs(distanceThere - distanceHere) <= tolerance ? 1.0 : 0.0;
 }
 
-// Share of the light that reaches the fragment: 1 all, 0 none.
 float shadowReached(int light)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - shadowOrigin;
-#if SHADOW_SAMPLES == 1
-  if (shadowMatch == 0)
-  {
-    return float((texelFetch(shadowMask, pixel, 0).r >> uint(light)) & 1u);
-  }
-#endif
   float distanceHere = shadowRange.y == 0.0 ? 1.0 / gl_FragCoord.w : shadowRange.z + shadowRange.w * gl_FragCoord.z;
   float tolerance = 2.0 * fwidth(distanceHere) + 1e-4 * abs(distanceHere);
   float all = 0.0;
@@ -59,8 +72,13 @@ float shadowReached(int light)
   {
     return reached / same;
   }
-  return shadowMatch == 1 ? 1.0 : all / float(SHADOW_SAMPLES);
+#if SHADOW_MATCH == 1
+  return 1.0;
+#else
+  return all / float(SHADOW_SAMPLES);
+#endif
 }
+#endif
 
 // What the diffuse and specular part of a light is multiplied with.
 float shadowFactor(int light)

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace shadow
 {
@@ -91,11 +94,26 @@ bool lightOutsideBoundingSphere(const Light& light, const Corners& corners)
 
 } // namespace
 
-CasterCuller::CasterCuller(const View& theView, const std::vector<Light>& theLights, StencilMethod theMethod)
+CasterCuller::CasterCuller(const View& theView, const std::vector<Light>& theLights, const SceneBounds& bounds,
+                           StencilMethod theMethod)
   : view(theView)
   , lights(theLights)
   , method(theMethod)
+  , sceneBounds(bounds)
 {
+  const glm::dvec3& lower = sceneBounds.lowerWC;
+  const glm::dvec3& upper = sceneBounds.upperWC;
+  const double size = sceneBounds.isEmpty() ? 1.0 : glm::distance(lower, upper);
+  const double magnitude = glm::length(glm::max(glm::abs(lower), glm::abs(upper)));
+  const double margin = std::max(1e-3 * size, 1e-9 * magnitude);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    glm::dvec3 normal(0.0);
+    normal[axis] = 1.0;
+    const auto place = static_cast<std::size_t>(2 * axis);
+    this->scenePlanes[place] = glm::dvec4(normal, margin - lower[axis]);
+    this->scenePlanes[place + 1] = glm::dvec4(-normal, margin + upper[axis]);
+  }
   for (const Light& light : theLights)
   {
     this->nearVolumes.push_back(makeNearVolume(theView, light));
@@ -118,7 +136,14 @@ void CasterCuller::apply(SEDGeode& geode)
     {
       continue;
     }
-    state.plan = this->plan(i, corners, path.inView);
+    if (this->nothingBehind(geode.getGeometry(), path.modelToWorld, light))
+    {
+      state.plan.skipReason = "it is flat, and nothing lies behind it";
+    }
+    else
+    {
+      state.plan = this->plan(i, corners, path.inView);
+    }
     if (state.plan.skipReason != nullptr)
     {
       this->skipped.insert({this->getPath().back()->name, state.plan.skipReason});
@@ -143,6 +168,7 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const Corners& corners, bo
                                      [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
   const bool zPass = this->method == StencilMethod::ZPass || (this->method == StencilMethod::Auto && nearIsLit);
   result.count = zPass ? StencilCount::ZPass : StencilCount::ZFail;
+  result.farPlaneWC = this->chooseFarPlane(light, corners, result.count);
   if (zPass)
   {
     // A cap lies on the caster's own surface, so it is in front of what is seen only where that surface is not drawn.
@@ -151,12 +177,68 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const Corners& corners, bo
   }
   const bool explicitZFail = this->method == StencilMethod::ZFail;
   result.lightCap = explicitZFail || inView;
-  if (light.positionWC.w != 0.0)
+  if (light.positionWC.w != 0.0 || !result.isFarAtInfinity())
   {
-    const bool fan = !explicitZFail && lightOutsideBoundingSphere(light, corners);
-    result.darkCap = fan ? DarkCap::Fan : DarkCap::Triangles;
+    const bool fan = !result.isFarAtInfinity() || lightOutsideBoundingSphere(light, corners);
+    result.darkCap = !explicitZFail && fan ? DarkCap::Fan : DarkCap::Triangles;
   }
   return result;
+}
+
+// A floor, a wall: a flat caster cannot shadow itself, and all of the scene is on the light's side of it or in its plane.
+bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& modelToWorld, const Light& light) const
+{
+  if (!geometry.getCommonPlane())
+  {
+    return false;
+  }
+  const glm::dmat4 worldFromMC = glm::translate(modelToWorld, geometry.getOrigin());
+  glm::dvec4 plane = *geometry.getCommonPlane() * glm::inverse(worldFromMC);
+  plane /= glm::length(glm::dvec3(plane));
+  plane = glm::dot(plane, light.positionWC) < 0.0 ? -plane : plane;
+  const glm::dvec3& lower = this->sceneBounds.lowerWC;
+  const glm::dvec3& upper = this->sceneBounds.upperWC;
+  // The corner that lies deepest behind the plane.
+  const glm::dvec3 deepest(plane.x > 0.0 ? lower.x : upper.x, plane.y > 0.0 ? lower.y : upper.y,
+                           plane.z > 0.0 ? lower.z : upper.z);
+  return glm::dot(plane, glm::dvec4(deepest, 1.0)) >= -1e-6 * glm::distance(lower, upper);
+}
+
+// A side of the scene's bounding box that all the caster's shadow runs into: what lies behind it receives nothing, so the
+// volume can end there and covers far fewer pixels than one that goes on for ever. The plane at infinity if there is none.
+glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const Corners& corners, StencilCount count) const
+{
+  glm::dvec4 best(0.0, 0.0, 0.0, 1.0);
+  double shortest = std::numeric_limits<double>::max();
+  for (const glm::dvec4& plane : this->scenePlanes)
+  {
+    const double lightHeight = glm::dot(plane, light.positionWC);
+    // Z-pass draws no cap there, so none of it may be seen: the near rectangle has to be on the inner side.
+    const bool nearInside =
+        count == StencilCount::ZFail ||
+        std::all_of(this->view.nearWC.begin(), this->view.nearWC.end(), [&](const glm::dvec3& corner) {
+          return glm::dot(plane, glm::dvec4(corner, 1.0)) > slack(plane, corner);
+        });
+    double longest = 0.0;
+    bool reached = nearInside && lightHeight > 0.0;
+    for (const glm::dvec3& corner : corners)
+    {
+      const double height = glm::dot(plane, glm::dvec4(corner, 1.0));
+      // How far down its ray a corner is carried. Rays that are nearly along the plane are left to infinity.
+      const double descent = lightHeight - height * light.positionWC.w;
+      reached = reached && descent > 0.05 * lightHeight;
+      const double carried = light.positionWC.w != 0.0
+                                 ? glm::distance(corner, glm::dvec3(light.positionWC)) * height / descent
+                                 : glm::length(glm::dvec3(light.positionWC)) * height / descent;
+      longest = std::max(longest, carried);
+    }
+    if (reached && longest < shortest)
+    {
+      shortest = longest;
+      best = plane;
+    }
+  }
+  return best;
 }
 
 } // namespace shadow

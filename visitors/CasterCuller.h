@@ -10,6 +10,7 @@
 #include "Light.h"
 #include "NodeVisitor.h"
 #include "SEDGeode.h"
+#include "SceneBoundsVisitor.h"
 #include "View.h"
 
 namespace shadow
@@ -43,7 +44,8 @@ public:
     }
   };
 
-  CasterCuller(const View& theView, const std::vector<Light>& theLights, StencilMethod theMethod);
+  CasterCuller(const View& theView, const std::vector<Light>& theLights, const SceneBounds& bounds,
+               StencilMethod theMethod);
 
   using NodeVisitor::apply;
   void apply(SEDGeode& geode) override;
@@ -56,10 +58,15 @@ private:
   using Corners = std::array<glm::dvec3, 8>;
 
   CasterPlan plan(std::size_t lightPlace, const Corners& corners, bool inView) const;
+  bool nothingBehind(const SEDGeometry& geometry, const glm::dmat4& modelToWorld, const Light& light) const;
+
+  glm::dvec4 chooseFarPlane(const Light& light, const Corners& corners, StencilCount count) const;
 
   const View& view;
   const std::vector<Light>& lights;
   StencilMethod method;
+  SceneBounds sceneBounds;
+  std::array<glm::dvec4, 6> scenePlanes; ///< just outside the scene's bounding box, inside positive
   std::vector<std::vector<glm::dvec4>> nearVolumes; ///< a light: planes around near rectangle and light
   std::set<Skipped> skipped;
   int casters = 0;

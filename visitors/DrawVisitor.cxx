@@ -1,8 +1,10 @@
 #include "DrawVisitor.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
 #include "OpenGL.h"
@@ -43,33 +45,28 @@ bool DrawVisitor::setMatrices(const SEDGeode& geode)
 void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
 {
   const bool mirrored = this->setMatrices(geode);
-  vtkOpenGLState* state = this->pass.state;
   glFrontFace(mirrored ? GL_CW : GL_CCW);
   SEDGeometryDrawable& drawable = this->pass.drawables->getGeometry(geode.getSharedGeometry());
-  this->pass.program->SetUniformi("reachableBits", this->pass.textureUnit);
-  ReachableBitsTexture& bits = this->pass.drawables->getReachableBits(path, this->pass.maximumTexels);
-  for (const ReachableBitsTexture::Part& part : bits.getParts())
-  {
-    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->pass.textureUnit));
-    glBindTexture(GL_TEXTURE_BUFFER, part.texture);
-    drawable.draw(this->pass.program, part.first, part.count);
-    this->counts.geometry += part.count;
-  }
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  drawable.draw(this->pass.program, this->pass.drawables->getReachableBits(path));
   glFrontFace(GL_CCW);
+  this->counts.geometry += geode.getGeometry().getTriangles().size();
 }
 
 void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light, StencilCount count)
 {
   const bool mirrored = this->setMatrices(geode);
   setUniform(this->pass.program, "lightMC", light.lightMC);
+  // A plane goes the other way: as a row vector from the left.
+  glm::dvec4 farPlaneMC = light.plan.farPlaneWC * glm::translate(this->getModelToWorld(), geode.getGeometry().getOrigin());
+  farPlaneMC /= std::max(glm::length(glm::dvec3(farPlaneMC)), std::abs(farPlaneMC.w));
+  setUniform(this->pass.program, "farPlaneMC", farPlaneMC);
   SEDGeometryDrawable& geometry = this->pass.drawables->getGeometry(geode.getSharedGeometry());
   for (std::size_t part = 0; part < light.volumes.size(); ++part)
   {
     const ShadowVolume& volume = light.volumes[part];
     this->pass.makeRoom(volume.overlapBound);
     ShadowVolumeDrawable& drawable = this->pass.drawables->getVolume(light, part);
-    drawable.draw(this->pass.state, this->pass.program, geometry.getVertexBuffer(), count, mirrored);
+    drawable.draw(this->pass.state, this->pass.program, geometry.getVolumeVertexBuffer(), count, mirrored);
     this->counts.sides += volume.sides.size();
     this->counts.caps += volume.getTriangleCount() - volume.sides.size();
     this->counts.silhouetteEdges += volume.silhouetteEdges;

@@ -38,8 +38,6 @@ public:
     DrawableCache* drawables = nullptr;
     const View* view = nullptr;
     glm::dmat4 clipFromWC{1.0};                 ///< with the depth row of the shadow stages
-    std::size_t maximumTexels = 0;
-    int textureUnit = 0;                        ///< for the reachable bits
     std::function<void(std::size_t)> makeRoom; ///< called before a volume with its overlap bound
   };
 

@@ -85,7 +85,7 @@ void SEDVisitor::apply(SEDGeode& geode)
       state.extruded = false;
       facingChanged = true;
     }
-    if (state.plan.count != StencilCount::Skip && !(state.extruded && state.extrudedPlan == state.plan))
+    if (state.plan.count != StencilCount::Skip && !(state.extruded && state.extrudedPlan.hasFacesOf(state.plan)))
     {
       this->refreshVolume(geometry, state);
     }
@@ -105,6 +105,7 @@ void SEDVisitor::refreshVolume(const SEDGeometry& geometry, PathLightState& stat
   ShadowVolumeOptions options;
   options.lightCap = state.plan.lightCap;
   options.darkCap = state.plan.darkCap;
+  options.farAtInfinity = state.plan.isFarAtInfinity();
   state.volumes = makeCountableVolumes(geometry, this->finder, state.facing, state.lightMC, options);
   state.extruded = true;
   state.extrudedPlan = state.plan;

@@ -48,8 +48,6 @@ Capabilities queryCapabilities()
   glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integerSamples);
   glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &depthSamples);
   capabilities.maximumSamples = std::max(1, std::min(integerSamples, depthSamples));
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &capabilities.maximumTexels);
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &capabilities.maximumSize);
   return capabilities;
 }
 

@@ -12,8 +12,6 @@ struct Capabilities
   std::string missing;      ///< one line, when not usable
   bool clipControl = false; ///< GL 4.5 or ARB_clip_control: reversed depth
   int maximumSamples = 1;   ///< of integer and depth textures
-  int maximumTexels = 0;    ///< of a buffer texture
-  int maximumSize = 0;      ///< of a texture, pixels a side
 };
 
 /// Asks the current context. @pre a context is current and VTK has loaded its functions

@@ -43,16 +43,16 @@ SEDGeometryDrawable& DrawableCache::getGeometry(const std::shared_ptr<const SEDG
   return *entry.drawable;
 }
 
-ReachableBitsTexture& DrawableCache::getReachableBits(const PathState& path, std::size_t maximumTexels)
+ReachableBitsBuffer& DrawableCache::getReachableBits(const PathState& path)
 {
-  ReachableBitsTexture& texture = this->reachableBits[&path];
-  if (texture.revision != path.reachableRevision)
+  ReachableBitsBuffer& buffer = this->reachableBits[&path];
+  if (buffer.revision != path.reachableRevision)
   {
-    texture.upload(path.reachableBits, maximumTexels);
-    texture.revision = path.reachableRevision;
+    buffer.upload(path.reachableBits);
+    buffer.revision = path.reachableRevision;
   }
-  texture.used = true;
-  return texture;
+  buffer.used = true;
+  return buffer;
 }
 
 ShadowVolumeDrawable& DrawableCache::getVolume(const PathLightState& light, std::size_t part)
@@ -70,7 +70,7 @@ ShadowVolumeDrawable& DrawableCache::getVolume(const PathLightState& light, std:
 void DrawableCache::sweep()
 {
   sweepMap(this->geometries, [](GeometryEntry& entry) -> SEDGeometryDrawable& { return *entry.drawable; });
-  sweepMap(this->reachableBits, [](ReachableBitsTexture& texture) -> ReachableBitsTexture& { return texture; });
+  sweepMap(this->reachableBits, [](ReachableBitsBuffer& buffer) -> ReachableBitsBuffer& { return buffer; });
   sweepMap(this->volumes, [](ShadowVolumeDrawable& volume) -> ShadowVolumeDrawable& { return volume; });
 }
 
@@ -80,9 +80,9 @@ void DrawableCache::release(bool contextLost)
   {
     entry.drawable->release(contextLost);
   }
-  for (auto& [key, texture] : this->reachableBits)
+  for (auto& [key, buffer] : this->reachableBits)
   {
-    texture.release(contextLost);
+    buffer.release(contextLost);
   }
   for (auto& [key, volume] : this->volumes)
   {
@@ -100,9 +100,9 @@ std::size_t DrawableCache::getMemorySize() const
   {
     bytes += entry.drawable->getMemorySize();
   }
-  for (const auto& [key, texture] : this->reachableBits)
+  for (const auto& [key, buffer] : this->reachableBits)
   {
-    bytes += texture.getMemorySize();
+    bytes += buffer.getMemorySize();
   }
   for (const auto& [key, volume] : this->volumes)
   {

@@ -21,7 +21,7 @@ public:
   DrawableCache& operator=(const DrawableCache&) = delete;
 
   SEDGeometryDrawable& getGeometry(const std::shared_ptr<const SEDGeometry>& geometry);
-  ReachableBitsTexture& getReachableBits(const PathState& path, std::size_t maximumTexels);
+  ReachableBitsBuffer& getReachableBits(const PathState& path);
 
   /// @param part  which of the light state's volumes
   ShadowVolumeDrawable& getVolume(const PathLightState& light, std::size_t part);
@@ -41,7 +41,7 @@ private:
     std::unique_ptr<SEDGeometryDrawable> drawable;
   };
   std::map<const SEDGeometry*, GeometryEntry> geometries;
-  std::map<const PathState*, ReachableBitsTexture> reachableBits;
+  std::map<const PathState*, ReachableBitsBuffer> reachableBits;
   std::map<std::pair<const PathLightState*, std::size_t>, ShadowVolumeDrawable> volumes;
 };
 

@@ -47,6 +47,7 @@ GLStateScope::GLStateScope(vtkOpenGLState* vtkState)
   , back(readStencil(false))
   , cullFaceMode(getInteger(GL_CULL_FACE_MODE))
   , frontFace(getInteger(GL_FRONT_FACE))
+  , provokingVertex(getInteger(GL_PROVOKING_VERTEX))
   , logicOpMode(getInteger(GL_LOGIC_OP_MODE))
   , stencilClear(getInteger(GL_STENCIL_CLEAR_VALUE))
   , logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE)
@@ -72,6 +73,7 @@ GLStateScope::~GLStateScope()
   setEnabled(GL_POLYGON_OFFSET_FILL, this->polygonOffset);
   glLogicOp(static_cast<GLenum>(this->logicOpMode));
   glClearStencil(this->stencilClear);
+  glProvokingVertex(static_cast<GLenum>(this->provokingVertex));
   glFrontFace(static_cast<GLenum>(this->frontFace));
   // A core profile knows one mode for both faces.
   glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(this->polygonMode[0]));

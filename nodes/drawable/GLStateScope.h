@@ -45,6 +45,7 @@ private:
   StencilFace back;
   int cullFaceMode = 0;
   int frontFace = 0;
+  int provokingVertex = 0;
   int logicOpMode = 0;
   int stencilClear = 0;
   int polygonMode[2] = {0, 0};

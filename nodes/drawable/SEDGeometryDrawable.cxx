@@ -1,6 +1,7 @@
 #include "SEDGeometryDrawable.h"
 
-#include <algorithm>
+#include <array>
+#include <limits>
 
 #include <vtkShaderProgram.h>
 
@@ -13,59 +14,121 @@ namespace shadow
 namespace
 {
 
-std::vector<glm::vec4> nearAndFarCopies(const std::vector<glm::vec3>& positions)
+struct PrePassMesh
 {
-  std::vector<glm::vec4> vertices;
-  vertices.reserve(2 * positions.size());
-  for (const glm::vec3& position : positions)
-  {
-    vertices.emplace_back(position, 1.0f);
-    vertices.emplace_back(position, 0.0f);
-  }
-  return vertices;
-}
+  std::vector<glm::vec3> positions; ///< [t] is the last corner of triangle t; after these, corners that are last nowhere
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
 
-std::vector<std::uint32_t> nearIndices(const std::vector<std::array<std::uint32_t, 3>>& triangles)
+PrePassMesh giveTrianglesTheirOwnVertex(const SEDGeometry& geometry)
 {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(3 * triangles.size());
-  for (const auto& triangle : triangles)
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  const auto& triangles = geometry.getTriangles();
+  std::vector<std::uint32_t> copyOf(geometry.getPositions().size(), none);
+  PrePassMesh mesh;
+  mesh.triangles = triangles;
+  mesh.positions.reserve(triangles.size() + triangles.size() / 8);
+  for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
   {
-    for (const std::uint32_t vertex : triangle)
+    const std::uint32_t last = triangles[triangle][2];
+    mesh.positions.push_back(geometry.getPositions()[last]);
+    mesh.triangles[triangle][2] = static_cast<std::uint32_t>(triangle);
+    copyOf[last] = copyOf[last] == none ? static_cast<std::uint32_t>(triangle) : copyOf[last];
+  }
+  for (auto& triangle : mesh.triangles)
+  {
+    for (const std::size_t corner : {0, 1})
     {
-      indices.push_back(2 * vertex);
+      std::uint32_t& copy = copyOf[triangle[corner]];
+      if (copy == none)
+      {
+        copy = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(geometry.getPositions()[triangle[corner]]);
+      }
+      triangle[corner] = copy;
     }
   }
-  return indices;
+  return mesh;
+}
+
+template <class Element>
+std::size_t uploadBuffer(GLenum target, unsigned int buffer, const std::vector<Element>& elements, GLenum usage)
+{
+  const std::size_t size = elements.size() * sizeof(Element);
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(size), elements.data(), usage);
+  return size;
 }
 
 } // namespace
 
-SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& geometry)
+void ReachableBitsBuffer::upload(const std::vector<glm::uvec2>& bits)
 {
-  const std::vector<glm::vec4> vertices = nearAndFarCopies(geometry.getPositions());
-  const std::vector<std::uint32_t> indices = nearIndices(geometry.getTriangles());
-  const std::size_t vertexBytes = vertices.size() * sizeof(glm::vec4);
-  const std::size_t indexBytes = indices.size() * sizeof(std::uint32_t);
-  this->bytes = vertexBytes + indexBytes;
+  if (this->buffer == 0)
+  {
+    glGenBuffers(1, &this->buffer);
+  }
+  this->bytes = uploadBuffer(GL_ARRAY_BUFFER, this->buffer, bits, GL_STREAM_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
 
+void ReachableBitsBuffer::release(bool contextLost)
+{
+  if (!contextLost)
+  {
+    glDeleteBuffers(1, &this->buffer);
+  }
+  this->buffer = 0;
+  this->revision = 0;
+}
+
+SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& sedGeometry)
+  : geometry(sedGeometry)
+  , triangles(sedGeometry.getTriangles().size())
+{
+  const PrePassMesh mesh = giveTrianglesTheirOwnVertex(sedGeometry);
   glGenVertexArrays(1, &this->vertexArray);
   glBindVertexArray(this->vertexArray);
   glGenBuffers(1, &this->vertexBuffer);
-  glBindBuffer(GL_ARRAY_BUFFER, this->vertexBuffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertexBytes), vertices.data(), GL_STATIC_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
   glGenBuffers(1, &this->indexBuffer);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indexBytes), indices.data(), GL_STATIC_DRAW);
+  this->bytes = uploadBuffer(GL_ARRAY_BUFFER, this->vertexBuffer, mesh.positions, GL_STATIC_DRAW);
+  this->bytes += uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer, mesh.triangles, GL_STATIC_DRAW);
   glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-void SEDGeometryDrawable::draw(vtkShaderProgram* program, std::size_t first, std::size_t count)
+unsigned int SEDGeometryDrawable::getVolumeVertexBuffer()
+{
+  if (this->volumeVertexBuffer == 0)
+  {
+    std::vector<glm::vec4> copies;
+    copies.reserve(2 * this->geometry.getPositions().size());
+    for (const glm::vec3& position : this->geometry.getPositions())
+    {
+      copies.emplace_back(position, 1.0f);
+      copies.emplace_back(position, 0.0f);
+    }
+    glGenBuffers(1, &this->volumeVertexBuffer);
+    this->bytes += uploadBuffer(GL_ARRAY_BUFFER, this->volumeVertexBuffer, copies, GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+  }
+  return this->volumeVertexBuffer;
+}
+
+void SEDGeometryDrawable::draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits)
 {
   glBindVertexArray(this->vertexArray);
-  bindVertices(program, this->vertexBuffer);
-  drawTriangles(first, count);
+  bindFloats(program, "vertexMC", this->vertexBuffer, 3);
+  const GLint bits = glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "reachableBits");
+  if (bits >= 0)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, reachableBits.getBuffer());
+    glEnableVertexAttribArray(static_cast<GLuint>(bits));
+    // Vertices after the triangles' own provoke nothing: they may read what they like, but not beyond the buffer.
+    glVertexAttribIPointer(static_cast<GLuint>(bits), 2, GL_UNSIGNED_INT, sizeof(glm::uvec2), nullptr);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+  }
+  drawTriangles(0, this->triangles);
   glBindVertexArray(0);
 }
 
@@ -76,61 +139,9 @@ void SEDGeometryDrawable::release(bool contextLost)
     glDeleteVertexArrays(1, &this->vertexArray);
     glDeleteBuffers(1, &this->vertexBuffer);
     glDeleteBuffers(1, &this->indexBuffer);
+    glDeleteBuffers(1, &this->volumeVertexBuffer);
   }
-  this->vertexArray = this->vertexBuffer = this->indexBuffer = 0;
-}
-
-void ReachableBitsTexture::upload(const std::vector<glm::uvec2>& bits, std::size_t maximumTexels)
-{
-  const std::size_t needed = std::max<std::size_t>(1, (bits.size() + maximumTexels - 1) / maximumTexels);
-  if (needed != this->parts.size())
-  {
-    this->release(false);
-    this->parts.resize(needed);
-    for (Part& part : this->parts)
-    {
-      glGenBuffers(1, &part.buffer);
-      glGenTextures(1, &part.texture);
-    }
-  }
-  std::size_t first = 0;
-  for (Part& part : this->parts)
-  {
-    part.first = first;
-    part.count = std::min(maximumTexels, bits.size() - first);
-    first += part.count;
-    glBindBuffer(GL_TEXTURE_BUFFER, part.buffer);
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(part.count * sizeof(glm::uvec2)),
-                 bits.data() + part.first, GL_STREAM_DRAW);
-    glBindTexture(GL_TEXTURE_BUFFER, part.texture);
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RG32UI, part.buffer);
-  }
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
-  glBindBuffer(GL_TEXTURE_BUFFER, 0);
-}
-
-void ReachableBitsTexture::release(bool contextLost)
-{
-  for (Part& part : this->parts)
-  {
-    if (!contextLost)
-    {
-      glDeleteTextures(1, &part.texture);
-      glDeleteBuffers(1, &part.buffer);
-    }
-  }
-  this->parts.clear();
-  this->revision = 0;
-}
-
-std::size_t ReachableBitsTexture::getMemorySize() const
-{
-  std::size_t texels = 0;
-  for (const Part& part : this->parts)
-  {
-    texels += part.count;
-  }
-  return texels * sizeof(glm::uvec2);
+  this->vertexArray = this->vertexBuffer = this->indexBuffer = this->volumeVertexBuffer = 0;
 }
 
 } // namespace shadow

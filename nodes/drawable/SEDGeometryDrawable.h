@@ -14,7 +14,34 @@ class vtkShaderProgram;
 namespace shadow
 {
 
-/// The GPU copy of a SEDGeometry: each vertex twice (near, far copy), and the triangles in raster order.
+/// What each side of a path's triangles faces, as a vertex attribute of the pre-pass.
+class ReachableBitsBuffer
+{
+public:
+  ReachableBitsBuffer() = default;
+  ReachableBitsBuffer(const ReachableBitsBuffer&) = delete;
+  ReachableBitsBuffer& operator=(const ReachableBitsBuffer&) = delete;
+
+  /// @param bits  a triangle, see PathState::reachableBits
+  void upload(const std::vector<glm::uvec2>& bits);
+
+  unsigned int getBuffer() const { return this->buffer; }
+  void release(bool contextLost);
+  std::size_t getMemorySize() const { return this->bytes; }
+
+  std::uint64_t revision = 0; ///< what was uploaded last
+  bool used = false;          ///< since the cache was swept last
+
+private:
+  unsigned int buffer = 0;
+  std::size_t bytes = 0;
+};
+
+/// The GPU copy of a SEDGeometry.
+///
+/// For the volumes each vertex stands there twice: near and far copy. For the pre-pass each triangle has a vertex of its
+/// own, its last in raster order, that carries the triangle's bits; the other corners are shared. This spares the
+/// gl_PrimitiveID that would make a software rasteriser copy every corner of every triangle.
 class SEDGeometryDrawable
 {
 public:
@@ -22,10 +49,11 @@ public:
   SEDGeometryDrawable(const SEDGeometryDrawable&) = delete;
   SEDGeometryDrawable& operator=(const SEDGeometryDrawable&) = delete;
 
-  unsigned int getVertexBuffer() const { return this->vertexBuffer; }
+  /// Near and far copies for ShadowVolumeDrawable; made when first asked for.
+  unsigned int getVolumeVertexBuffer();
 
-  /// Draws triangles [first, first + count) of the near copies with the current program.
-  void draw(vtkShaderProgram* program, std::size_t first, std::size_t count);
+  /// Draws all triangles with the current pre-pass program. @pre the last vertex provokes
+  void draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits);
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost);
@@ -35,41 +63,13 @@ public:
   bool used = false; ///< since the cache was swept last
 
 private:
+  const SEDGeometry& geometry;
   unsigned int vertexArray = 0;
   unsigned int vertexBuffer = 0;
   unsigned int indexBuffer = 0;
+  unsigned int volumeVertexBuffer = 0;
+  std::size_t triangles = 0;
   std::size_t bytes = 0;
-};
-
-/// Two words for each triangle of a path, as a texture the pre-pass reads: which lights each side faces.
-/// Split where one buffer texture cannot hold all triangles.
-class ReachableBitsTexture
-{
-public:
-  ReachableBitsTexture() = default;
-  ReachableBitsTexture(const ReachableBitsTexture&) = delete;
-  ReachableBitsTexture& operator=(const ReachableBitsTexture&) = delete;
-
-  /// @param maximumTexels  see Capabilities
-  void upload(const std::vector<glm::uvec2>& bits, std::size_t maximumTexels);
-
-  struct Part
-  {
-    unsigned int buffer = 0;
-    unsigned int texture = 0;
-    std::size_t first = 0;
-    std::size_t count = 0;
-  };
-  const std::vector<Part>& getParts() const { return this->parts; }
-
-  void release(bool contextLost);
-  std::size_t getMemorySize() const;
-
-  std::uint64_t revision = 0; ///< what was uploaded last
-  bool used = false;          ///< since the cache was swept last
-
-private:
-  std::vector<Part> parts;
 };
 
 } // namespace shadow

@@ -16,14 +16,11 @@ namespace shadow
 namespace
 {
 
-// VTK writes the version line in place of the first line, so the switch has to follow that.
-std::string withParallelSwitch(const char* source, bool parallel)
+// VTK writes the version line in place of the first line, so the switches have to follow that.
+std::string withSwitches(const char* source, const std::string& switches)
 {
   std::string text = source;
-  if (parallel)
-  {
-    text.insert(text.find('\n') + 1, "#define SHADOW_PARALLEL\n");
-  }
+  text.insert(text.find('\n') + 1, switches);
   return text;
 }
 
@@ -35,8 +32,10 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel)
       &shaders::extrude_vert, &shaders::extrude_vert, &shaders::screen_vert, &shaders::screen_vert};
   static constexpr std::array<const char* const*, 4> fragmentSources = {
       &shaders::prepass_frag, &shaders::volume_frag, &shaders::mask_frag, &shaders::resolve_frag};
-  const std::string vertex = withParallelSwitch(*vertexSources[stage], parallel);
-  const std::string fragment = withParallelSwitch(*fragmentSources[stage], parallel);
+  std::string switches = parallel ? "#define SHADOW_PARALLEL\n" : "";
+  switches += stage == PrePass ? "#define SHADOW_PREPASS\n" : "";
+  const std::string vertex = withSwitches(*vertexSources[stage], switches);
+  const std::string fragment = withSwitches(*fragmentSources[stage], switches);
   return this->window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }
 

@@ -62,7 +62,7 @@ void ShadowVolumeDrawable::draw(vtkOpenGLState* state, vtkShaderProgram* program
                                 StencilCount count, bool mirrored)
 {
   glBindVertexArray(this->vertexArray);
-  bindVertices(program, vertexBuffer);
+  bindFloats(program, "vertexMC", vertexBuffer, 4);
   if (this->outwardTriangles > 0)
   {
     setStencilOperations(state, count, !mirrored);

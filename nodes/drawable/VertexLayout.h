@@ -10,13 +10,15 @@
 namespace shadow
 {
 
-/// Points the program's vertexMC at a buffer of vec4. @pre a vertex array is bound
-inline void bindVertices(vtkShaderProgram* program, unsigned int vertexBuffer)
+/// Points an attribute of the program at a buffer of float tuples; a missing fourth value reads as 1.
+/// @pre a vertex array is bound
+inline void bindFloats(vtkShaderProgram* program, const char* attribute, unsigned int buffer, int tupleSize)
 {
   // Programs are linked without fixed locations, so the attribute is bound for each draw.
-  glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer);
-  program->EnableAttributeArray("vertexMC");
-  program->UseAttributeArray("vertexMC", 0, 4 * sizeof(float), VTK_FLOAT, 4, vtkShaderProgram::NoNormalize);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  program->EnableAttributeArray(attribute);
+  program->UseAttributeArray(attribute, 0, static_cast<std::size_t>(tupleSize) * sizeof(float), VTK_FLOAT, tupleSize,
+                             vtkShaderProgram::NoNormalize);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 

@@ -6,14 +6,13 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
-#include <vtkTextureUnitManager.h>
 
-#include "DepthBoundsVisitor.h"
 #include "DrawVisitor.h"
 #include "GLStateScope.h"
 #include "OpenGL.h"
 #include "SEDVisitor.h"
 #include "SVStateVisitor.h"
+#include "SceneBoundsVisitor.h"
 #include "ShadowPrograms.h"
 
 namespace shadow
@@ -65,7 +64,6 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   this->statistics.silhouetteMilliseconds = millisecondsSince(start);
 
   start = Clock::now();
-  this->chooseDepthRange(view);
   bool drawn = this->drawPrePass(window, view);
   finishStage(settings.waitAfterStages);
   this->statistics.prePassMilliseconds = millisecondsSince(start);
@@ -87,7 +85,11 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
 
 void ShadowVolumeEffect::update(const View& view, const std::vector<Light>& lights, const Settings& settings)
 {
-  CasterCuller culler(view, lights, settings.stencilMethod);
+  SceneBoundsVisitor boundsVisitor(view);
+  this->accept(boundsVisitor);
+  const SceneBounds& bounds = boundsVisitor.getBounds();
+  this->chooseDepthRange(view, bounds);
+  CasterCuller culler(view, lights, bounds, settings.stencilMethod);
   this->accept(culler);
   const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
   SEDVisitor builder(lights, *finder);
@@ -102,16 +104,16 @@ void ShadowVolumeEffect::update(const View& view, const std::vector<Light>& ligh
   }
 }
 
-void ShadowVolumeEffect::chooseDepthRange(const View& view)
+void ShadowVolumeEffect::chooseDepthRange(const View& view, const SceneBounds& bounds)
 {
   this->depthRange = {};
   this->depthRange.reversed = this->capabilities.clipControl;
   if (view.parallel)
   {
-    DepthBoundsVisitor bounds(view);
-    this->accept(bounds);
-    this->depthRange.nearest = bounds.getNearest();
-    this->depthRange.farthest = bounds.getFarthest();
+    // A margin, so that no geometry lies on either end.
+    const double margin = 1e-3 * std::max(bounds.farthest - bounds.nearest, 1e-300);
+    this->depthRange.nearest = bounds.nearest - margin;
+    this->depthRange.farthest = bounds.farthest + margin;
   }
 }
 
@@ -127,6 +129,7 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
   state->vtkglDepthFunc(this->depthRange.reversed ? GL_GREATER : GL_LESS);
   state->vtkglDisable(GL_STENCIL_TEST);
   state->vtkglDisable(GL_CULL_FACE);
+  glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
   if (view.parallel)
   {
     glEnable(GL_DEPTH_CLAMP);
@@ -150,11 +153,8 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
   pass.drawables = &this->drawables;
   pass.view = &view;
   pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
-  pass.maximumTexels = static_cast<std::size_t>(this->capabilities.maximumTexels);
-  pass.textureUnit = state->GetTextureUnitManager()->Allocate();
   DrawVisitor draw(pass);
   this->accept(draw);
-  state->GetTextureUnitManager()->Free(pass.textureUnit);
   this->statistics.prePassTriangles = draw.getCounts().geometry;
   return true;
 }

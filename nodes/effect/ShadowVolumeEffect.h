@@ -11,6 +11,7 @@
 #include "DrawableCache.h"
 #include "Light.h"
 #include "Node.h"
+#include "SceneBoundsVisitor.h"
 #include "SilhouetteFinder.h"
 #include "StencilTarget.h"
 #include "View.h"
@@ -75,7 +76,7 @@ private:
   void update(const View& view, const std::vector<Light>& lights, const Settings& settings);
   bool drawPrePass(vtkOpenGLRenderWindow* window, const View& view);
   bool drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light);
-  void chooseDepthRange(const View& view);
+  void chooseDepthRange(const View& view, const SceneBounds& bounds);
 
   Capabilities capabilities;
   bool capabilitiesKnown = false;

@@ -7,8 +7,8 @@ namespace shadow
 
 EdgeConnector::EdgeConnector(std::size_t vertices, std::size_t triangles)
 {
-  // Euler's formula gives the edges of any surface but for its components and handles; a few more make room for
-  // those, and three a triangle is the most there can be.
+  // Euler's formula gives the edges of any surface but for its components and handles; a few more make room
+  // for those, and three a triangle is the most there can be.
   const std::size_t edges = std::min(vertices + triangles + triangles / 64 + 64, 3 * triangles);
   this->mesh.reserve(vertices, edges, triangles);
   for (std::size_t vertex = 0; vertex < vertices; ++vertex)
@@ -47,8 +47,8 @@ bool EdgeConnector::canRelink(OpenMesh::HalfedgeHandle incoming, OpenMesh::Halfe
   {
     return true;
   }
-  // The triangle fills the gap between two fans of triangles around a vertex. Should they be the two ends of one
-  // fan, it would close this fan although further fans meet at the vertex.
+  // The triangle fills the gap between two fans of triangles around a vertex. Should they be the two ends of
+  // one fan, it would close this fan although further fans meet at the vertex.
   OpenMesh::HalfedgeHandle end = this->mesh.opposite_halfedge_handle(outgoing);
   do
   {
@@ -92,12 +92,9 @@ std::vector<Edge> EdgeConnector::readEdges() const
   std::vector<Edge> edges(this->mesh.n_edges());
   for (std::size_t index = 0; index < edges.size(); ++index)
   {
-    OpenMesh::HalfedgeHandle forward(static_cast<int>(2 * index));
-    OpenMesh::HalfedgeHandle backward(static_cast<int>(2 * index + 1));
-    if (this->mesh.is_boundary(forward))
-    {
-      std::swap(forward, backward);
-    }
+    // OpenMesh makes an edge for the triangle on its even half-edge; the odd one may be a border.
+    const OpenMesh::HalfedgeHandle forward(static_cast<int>(2 * index));
+    const OpenMesh::HalfedgeHandle backward(static_cast<int>(2 * index + 1));
     const int other = this->mesh.face_handle(backward).idx();
     edges[index].vertices = {static_cast<std::uint32_t>(this->mesh.to_vertex_handle(backward).idx()),
                              static_cast<std::uint32_t>(this->mesh.to_vertex_handle(forward).idx())};

@@ -12,8 +12,8 @@ namespace
 
 /// A sum of doubles that do not overlap, by rising magnitude: holds a number exactly.
 ///
-/// The longest one needed: differences of floats have 2 terms, their products 8, a normal's coordinate 16, the
-/// light relative to a corner 3, their product 96, and three of these 288.
+/// The longest one needed: differences of floats have 2 terms, their products 8, a normal's coordinate 16,
+/// the light relative to a corner 3, their product 96, and three of these 288.
 class Expansion
 {
 public:
@@ -61,10 +61,7 @@ public:
   }
 
   /// The largest term outweighs all others.
-  int getSign() const
-  {
-    return this->size == 0 ? 0 : this->terms[this->size - 1] > 0.0 ? 1 : -1;
-  }
+  int getSign() const { return this->size == 0 ? 0 : this->terms[this->size - 1] > 0.0 ? 1 : -1; }
 
 private:
   std::array<double, 320> terms;

@@ -8,7 +8,8 @@ namespace shadow
 /// On which side of the plane through three points is a light? Exactly, without rounding.
 ///
 /// @param a,b,c    corners, any finite float32 values
-/// @param lightMC  w = 1: position; w = 0: direction towards the light; finite, in the coordinates of the corners
+/// @param lightMC  w = 1: position; w = 0: direction towards the light; finite, in the coordinates of the
+/// corners
 /// @return  the sign of dot(cross(b - a, c - a), lightMC.xyz - lightMC.w * a): 1 when the light sees a, b, c
 ///          counter-clockwise, -1 when clockwise, 0 when it lies in their plane or they have none
 /// @pre   the light's coordinates are zero or of magnitude 1e-150 to 1e150, so that no product underflows

@@ -42,7 +42,10 @@ private:
   std::size_t count = 0;
 };
 
-/// How every triangle of a mesh faces one light. A triangle with the light in its plane has neither bit.
+/// How every triangle of a mesh faces one light.
+///
+/// A triangle with the light in its plane has neither bit: its shadow has no area, so it casts none, and so
+/// do all triangles that meet in a vertex at the light, which has no direction to be extruded in.
 struct LightFacing
 {
   FacingBits towards; ///< the light is in front of the oriented triangle (its normal's side)

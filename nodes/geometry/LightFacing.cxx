@@ -49,7 +49,7 @@ int resolve(const SEDGeometry& geometry, std::uint32_t triangle, const glm::dvec
   const double value = glm::dot(glm::cross(u, v), arm);
   // With eps = 2^-53: 4 eps from the cross product, 2 from the arm, 3 from the dot product; 12 leaves room.
   const double bound =
-    12.0 * 0x1p-53 * glm::dot(products, glm::abs(glm::dvec3(lightMC)) + glm::abs(lightMC.w * a));
+      12.0 * 0x1p-53 * glm::dot(products, glm::abs(glm::dvec3(lightMC)) + glm::abs(lightMC.w * a));
   if (std::abs(value) > bound)
   {
     return value > 0.0 ? 1 : -1;
@@ -57,7 +57,8 @@ int resolve(const SEDGeometry& geometry, std::uint32_t triangle, const glm::dvec
   return exactOrientation(positions[corners[0]], positions[corners[1]], positions[corners[2]], lightMC);
 }
 
-/// Evaluates the planes of one word of triangles. Kept apart from the decisions, so that compilers vectorise it.
+/// Evaluates the planes of one word of triangles. Kept apart from the decisions, so that compilers vectorise
+/// it.
 void evaluatePlanes(const TrianglePlane* planes, std::size_t count, const glm::dvec4& lightMC, double* values)
 {
   const double x = lightMC.x;
@@ -112,14 +113,16 @@ std::vector<std::uint32_t> decideByPlanes(const SEDGeometry& geometry, const glm
 }
 
 /// Does a corner coincide with the light, as seen by whoever extrudes the triangle in single precision?
-bool touches(const SEDGeometry& geometry, const std::array<std::uint32_t, 3>& triangle, const glm::vec3& lightMC)
+bool touches(const SEDGeometry& geometry, const std::array<std::uint32_t, 3>& triangle,
+             const glm::vec3& lightMC)
 {
-  return std::any_of(triangle.begin(), triangle.end(), [&geometry, &lightMC](std::uint32_t vertex)
+  return std::any_of(triangle.begin(), triangle.end(),
+                     [&geometry, &lightMC](std::uint32_t vertex)
                      { return geometry.getPositions()[vertex] == lightMC; });
 }
 
-/// A corner at the light has no direction to be extruded in, so its triangles must not cast: they count as having
-/// the light in their plane, which exactly they do, but for the light's rounding to single precision.
+/// A corner at the light has no direction to be extruded in, so its triangles must not cast: they count as
+/// having the light in their plane, which exactly they do, but for the light's rounding to single precision.
 void clearTouching(const SEDGeometry& geometry, const glm::vec3& lightMC, LightFacing& facing)
 {
   const std::vector<glm::vec3>& positions = geometry.getPositions();

@@ -7,8 +7,7 @@ namespace shadow
 {
 
 ManifoldSplitter::ManifoldSplitter(std::vector<Triangle>& trianglesIn, std::vector<glm::vec3>& positionsIn)
-  : triangles(trianglesIn)
-  , positions(positionsIn)
+    : triangles(trianglesIn), positions(positionsIn)
 {
 }
 
@@ -68,7 +67,8 @@ void ManifoldSplitter::sortSides()
   {
     const auto begin = this->sortedSides.begin() + starts[vertex];
     const auto end = this->sortedSides.begin() + starts[vertex + 1];
-    std::sort(begin, end, [&higher](Side a, Side b)
+    std::sort(begin, end,
+              [&higher](Side a, Side b)
               { return std::make_tuple(higher(a), a) < std::make_tuple(higher(b), b); });
     this->pairSimpleEdges(starts[vertex], starts[vertex + 1]);
   }
@@ -78,9 +78,7 @@ void ManifoldSplitter::sortSides()
 void ManifoldSplitter::pairSimpleEdges(std::size_t begin, std::size_t end)
 {
   const auto sameEdge = [this](Side a, Side b)
-  {
-    return this->vertexAt(a) + this->vertexAfter(a) == this->vertexAt(b) + this->vertexAfter(b);
-  };
+  { return this->vertexAt(a) + this->vertexAfter(a) == this->vertexAt(b) + this->vertexAfter(b); };
   for (std::size_t first = begin; first < end;)
   {
     std::size_t last = first + 1;

@@ -13,13 +13,15 @@ namespace shadow
 
 /// Turns and cuts triangles until they are oriented manifold surfaces, which share as many edges as they can.
 ///
-/// Triangles are turned to agree across every edge that two of them share. Where three or more meet in an edge,
-/// they are paired: first within a surface, and so that a pair encloses solid; who is left gets a border. Cut
-/// edges and vertices where several fans of triangles meet receive their own copies of the vertices.
+/// Triangles are turned to agree across every edge that two of them share. Where three or more meet in an
+/// edge, they are paired: first within a surface, and so that a pair encloses solid; who is left gets a
+/// border. Cut edges and vertices where several fans of triangles meet receive their own copies of the
+/// vertices.
 ///
 /// One case stays: after the cuts, two edges may still run between the same two vertices.
 ///
-/// @par Source  Guéziec et al. 2001, "Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces"
+/// @par Source  Guéziec et al. 2001, "Cutting and Stitching: Converting Sets of Polygons to Manifold
+/// Surfaces"
 class ManifoldSplitter
 {
 public:

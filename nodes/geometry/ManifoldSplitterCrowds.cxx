@@ -20,9 +20,9 @@ struct Spoke
   std::uint32_t side;
 };
 
-/// Falling angle. Triangles at the same angle are duplicates of each other: those that close a bracket come first,
-/// so that what is written twice, front and back, becomes two sheets instead of flat pockets; and at all its edges
-/// the same one of several copies is the next to be matched.
+/// Falling angle. Triangles at the same angle are duplicates of each other: those that close a bracket come
+/// first, so that what is written twice, front and back, becomes two sheets instead of flat pockets; and at
+/// all its edges the same one of several copies is the next to be matched.
 bool comesBefore(const Spoke& a, const Spoke& b)
 {
   if (a.angle != b.angle)
@@ -55,7 +55,8 @@ void ManifoldSplitter::pairCrowd(const Crowd& crowd)
     const Side side = this->sortedSides[index];
     spokes.push_back({this->surfaces[side / 3], this->angleOf(side), this->runsUpwards(side), side});
   }
-  std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b)
+  std::sort(spokes.begin(), spokes.end(),
+            [](const Spoke& a, const Spoke& b)
             { return a.surface != b.surface ? a.surface < b.surface : comesBefore(a, b); });
 
   std::vector<Side> ring;
@@ -79,9 +80,9 @@ void ManifoldSplitter::pairCrowd(const Crowd& crowd)
   this->pairEnclosing(ring);
 }
 
-/// Matches like brackets, twice around the ring: the sides that run upwards open, the others close. Going round
-/// by falling angle, what lies between is on the back of both triangles, so that solids touching in an edge
-/// come apart.
+/// Matches like brackets, twice around the ring: the sides that run upwards open, the others close. Going
+/// round by falling angle, what lies between is on the back of both triangles, so that solids touching in an
+/// edge come apart.
 ///
 /// @param ring  unpaired sides of one edge, by falling angle
 void ManifoldSplitter::pairEnclosing(const std::vector<Side>& ring)

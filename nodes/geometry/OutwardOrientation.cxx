@@ -14,8 +14,7 @@ namespace
 class Components
 {
 public:
-  explicit Components(std::size_t triangles)
-    : parents(triangles)
+  explicit Components(std::size_t triangles) : parents(triangles)
   {
     std::iota(this->parents.begin(), this->parents.end(), 0u);
   }
@@ -48,8 +47,8 @@ private:
   std::vector<std::uint32_t> parents;
 };
 
-/// Six times the signed volume between each component and a point on it, at the component's root. Measured from
-/// a point on the component, a small one far from the origin does not cancel away.
+/// Six times the signed volume between each component and a point on it, at the component's root. Measured
+/// from a point on the component, a small one far from the origin does not cancel away.
 std::vector<double> computeVolumes(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                    const std::vector<glm::vec3>& positions, Components& components)
 {

@@ -81,8 +81,7 @@ double turnOf(double x, double y)
 
 bool casts(const LightFacing& facing, Casting casting, std::size_t triangle)
 {
-  return facing.towards.test(triangle) ||
-         (casting == Casting::EveryTriangle && facing.away.test(triangle));
+  return facing.towards.test(triangle) || (casting == Casting::EveryTriangle && facing.away.test(triangle));
 }
 
 std::size_t countCasting(const LightFacing& facing, Casting casting)
@@ -91,8 +90,8 @@ std::size_t countCasting(const LightFacing& facing, Casting casting)
   return casting == Casting::LightFacing ? towards : towards + facing.away.countSet();
 }
 
-/// All rays are parallel: walk across their direction, in from where nothing is hit. Going one way only edges that
-/// run to the right lead into the volume.
+/// All rays are parallel: walk across their direction, in from where nothing is hit. Going one way only edges
+/// that run to the right lead into the volume.
 std::size_t boundParallel(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
                           const glm::dvec3& directionMC)
 {
@@ -146,8 +145,8 @@ std::size_t countAlongPole(const SEDGeometry& geometry, const LightFacing& facin
   return count;
 }
 
-/// All rays leave one point: walk from a pole along meridians. Seen from the light, what lies south of an edge that
-/// runs east is on its left and thus casts: these edges lead in, those that run west lead out.
+/// All rays leave one point: walk from a pole along meridians. Seen from the light, what lies south of an
+/// edge that runs east is on its left and thus casts: these edges lead in, those that run west lead out.
 std::size_t boundMeridians(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
                            const glm::dvec3& lightMC, const Frame& frame, double margin)
 {

@@ -107,6 +107,10 @@ public:
   /// True when no edge is a border: the mesh then bounds a solid (of one or more components).
   bool isClosed() const { return this->report.borderEdges == 0 && !this->triangles.empty(); }
 
+  /// The plane that all vertices lie in, up to one part in a million of the mesh's size: dot(plane, (p, 1)) = 0, relative
+  /// to the origin, normalised. Nothing when there is none.
+  const std::optional<glm::dvec4>& getCommonPlane() const { return this->commonPlane; }
+
   /// Bounding box relative to the origin; lower > upper when the geometry is empty.
   const glm::dvec3& getLowerBound() const { return this->lowerBound; }
   const glm::dvec3& getUpperBound() const { return this->upperBound; }
@@ -128,11 +132,12 @@ private:
   std::vector<Edge> edges;
   glm::dvec3 lowerBound{std::numeric_limits<double>::max()};
   glm::dvec3 upperBound{std::numeric_limits<double>::lowest()};
+  std::optional<glm::dvec4> commonPlane;
   SEDGeometryReport report;
 };
 
-/// Builds the adjacency of a triangle soup: weld, drop degenerate triangles, connect through OpenMesh, orient,
-/// compute planes.
+/// Builds the adjacency of a triangle soup: weld, drop degenerate triangles, connect through OpenMesh,
+/// orient, compute planes.
 ///
 /// @param soup   taken by value so that its memory can be given back early
 /// @return       nothing when the input cannot be used (a point is NaN or infinite, an index is out of range,

@@ -53,9 +53,10 @@ std::optional<SEDGeometry> SEDGeometryBuilder::build(TriangleSoup soup, std::str
   this->connect();
   orientOutwards(this->geometry.triangles, this->geometry.edges, this->geometry.positions, this->flipped);
   this->geometry.report.flippedTriangles =
-    static_cast<std::size_t>(std::count(this->flipped.begin(), this->flipped.end(), std::uint8_t{1}));
+      static_cast<std::size_t>(std::count(this->flipped.begin(), this->flipped.end(), std::uint8_t{1}));
   this->computePlanes();
   this->countEdgesAndBounds();
+  this->findCommonPlane();
   return std::move(this->geometry);
 }
 
@@ -89,7 +90,8 @@ bool SEDGeometryBuilder::findUsedPoints(const TriangleSoup& soup, std::string& e
   return true;
 }
 
-/// The origin is the centre of the points in use: a stray point that no triangle uses must not cost precision.
+/// The origin is the centre of the points in use: a stray point that no triangle uses must not cost
+/// precision.
 bool SEDGeometryBuilder::chooseOrigin(const TriangleSoup& soup, std::string& error)
 {
   glm::dvec3 lower(std::numeric_limits<double>::max());
@@ -123,7 +125,7 @@ bool SEDGeometryBuilder::weldCorners(TriangleSoup& soup, std::string& error)
   // A closed mesh has half as many vertices as triangles; reserve for that, whatever copies the soup holds.
   const std::size_t sizeHint = std::min(soup.points.size(), soup.triangles.size() / 2 + 1024);
   WeldedPoints welded =
-    weldPoints(soup.points, this->pointUsed, this->geometry.origin, this->options.weldTolerance, sizeHint);
+      weldPoints(soup.points, this->pointUsed, this->geometry.origin, this->options.weldTolerance, sizeHint);
   release(soup.points);
   release(this->pointUsed);
   this->geometry.positions = std::move(welded.positions);
@@ -272,14 +274,33 @@ void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle, double& planeSca
 void SEDGeometryBuilder::countEdgesAndBounds()
 {
   this->geometry.report.borderEdges = static_cast<std::size_t>(
-    std::count_if(this->geometry.edges.begin(), this->geometry.edges.end(),
-                  [](const Edge& edge) { return edge.triangles[1] == noTriangle; }));
+      std::count_if(this->geometry.edges.begin(), this->geometry.edges.end(),
+                    [](const Edge& edge) { return edge.triangles[1] == noTriangle; }));
   for (const glm::vec3& position : this->geometry.positions)
   {
     this->geometry.lowerBound = glm::min(this->geometry.lowerBound, glm::dvec3(position));
     this->geometry.upperBound = glm::max(this->geometry.upperBound, glm::dvec3(position));
   }
   this->geometry.positions.shrink_to_fit();
+}
+
+void SEDGeometryBuilder::findCommonPlane()
+{
+  const auto first = std::find_if(this->geometry.planes.begin(), this->geometry.planes.end(),
+                                  [](const TrianglePlane& plane) { return plane.normal != glm::dvec3(0.0); });
+  if (first == this->geometry.planes.end())
+  {
+    return;
+  }
+  const glm::dvec4 plane = glm::dvec4(first->normal, first->offset) / glm::length(first->normal);
+  const double tolerance = 1e-6 * glm::distance(this->geometry.lowerBound, this->geometry.upperBound);
+  const bool common = std::all_of(this->geometry.positions.begin(), this->geometry.positions.end(),
+                                  [&](const glm::vec3& position)
+                                  { return std::abs(glm::dot(plane, glm::dvec4(position, 1.0))) <= tolerance; });
+  if (common)
+  {
+    this->geometry.commonPlane = plane;
+  }
 }
 
 std::optional<SEDGeometry> buildSEDGeometry(TriangleSoup soup, const SEDGeometryOptions& options,

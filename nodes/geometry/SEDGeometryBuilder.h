@@ -17,10 +17,7 @@ namespace shadow
 class SEDGeometryBuilder
 {
 public:
-  explicit SEDGeometryBuilder(const SEDGeometryOptions& optionsIn)
-    : options(optionsIn)
-  {
-  }
+  explicit SEDGeometryBuilder(const SEDGeometryOptions& optionsIn) : options(optionsIn) {}
 
   /// See buildSEDGeometry(). To be called once.
   std::optional<SEDGeometry> build(TriangleSoup soup, std::string& error);
@@ -36,6 +33,7 @@ private:
   void connectSplit();
   void computePlanes();
   void countEdgesAndBounds();
+  void findCommonPlane();
   /// @}
 
   void finishTriangle(std::uint32_t triangle, double& planeScale, double& positionScale);

@@ -33,12 +33,9 @@ class Extruder
 {
 public:
   Extruder(const SEDGeometry& geometryIn, const LightFacing& facingIn, Casting castingIn,
-           const glm::dvec4& lightMC)
-    : geometry(geometryIn)
-    , facing(facingIn)
-    , casting(castingIn)
-    , directional(lightMC.w == 0.0)
-    , lightPosition(lightMC)
+           const glm::dvec4& lightMC, bool farAtInfinity)
+      : geometry(geometryIn), facing(facingIn), casting(castingIn), directional(lightMC.w == 0.0),
+        farCopiesCoincide(directional && farAtInfinity), lightPosition(lightMC)
   {
   }
 
@@ -74,12 +71,13 @@ private:
   const LightFacing& facing;
   Casting casting;
   bool directional;
+  bool farCopiesCoincide;
   glm::vec3 lightPosition;
 };
 
 void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
 {
-  volume.sides.reserve((this->directional ? 1 : 2) * volume.silhouetteEdges);
+  volume.sides.reserve((this->farCopiesCoincide ? 1 : 2) * volume.silhouetteEdges);
   for (const SilhouetteEdge& edge : silhouette)
   {
     if (this->isAtLight(edge.from) || this->isAtLight(edge.to))
@@ -91,7 +89,7 @@ void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVol
     for (std::uint32_t copy = 0; copy < edge.multiplicity; ++copy)
     {
       volume.sides.push_back({to, from, farCopy(edge.from)});
-      if (!this->directional)
+      if (!this->farCopiesCoincide)
       {
         volume.sides.push_back({to, farCopy(edge.from), farCopy(edge.to)});
       }
@@ -112,7 +110,7 @@ void Extruder::addLightCap(ShadowVolume& volume) const
     // The light sees the oriented winding counter-clockwise when the sign is 1.
     const bool rasterFacesLight = (sign > 0) != this->geometry.getReversed().test(triangle);
     (rasterFacesLight ? volume.lightCap : volume.lightCapReversed)
-      .push_back({nearCopy(corners[0]), nearCopy(corners[1]), nearCopy(corners[2])});
+        .push_back({nearCopy(corners[0]), nearCopy(corners[1]), nearCopy(corners[2])});
   }
 }
 
@@ -155,7 +153,8 @@ void Extruder::addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolum
 /// vertex as arrive there, so that the sides of the fan cancel.
 void Extruder::addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
 {
-  const auto first = std::find_if(silhouette.begin(), silhouette.end(), [this](const SilhouetteEdge& edge)
+  const auto first = std::find_if(silhouette.begin(), silhouette.end(),
+                                  [this](const SilhouetteEdge& edge)
                                   { return !this->isAtLight(edge.from) && !this->isAtLight(edge.to); });
   if (first == silhouette.end())
   {
@@ -195,18 +194,19 @@ ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<Si
     volume.silhouetteEdges += edge.multiplicity;
   }
 
-  const Extruder extruder(geometry, facing, casting, lightMC);
+  const Extruder extruder(geometry, facing, casting, lightMC, options.farAtInfinity);
   extruder.addSides(silhouette, volume);
   if (options.lightCap)
   {
     extruder.addLightCap(volume);
   }
-  // The far copies of a directional light's volume are one point: nothing is open there.
-  if (lightMC.w != 0.0 && options.darkCap == DarkCap::Triangles)
+  // Where the far copies of a directional light's volume are one point nothing is open.
+  const bool farEndOpen = lightMC.w != 0.0 || !options.farAtInfinity;
+  if (farEndOpen && options.darkCap == DarkCap::Triangles)
   {
     extruder.addDarkTriangles(volume);
   }
-  else if (lightMC.w != 0.0 && options.darkCap == DarkCap::Fan)
+  else if (farEndOpen && options.darkCap == DarkCap::Fan)
   {
     extruder.addDarkFan(silhouette, volume);
   }

@@ -18,35 +18,36 @@ namespace shadow
 enum class Casting
 {
   LightFacing,  ///< closed mesh, light outside it: only the triangles that face the light
-  EveryTriangle ///< any other mesh: every triangle, each turned to face the light
+  EveryTriangle ///< any other mesh: every triangle, each turned to face the light; those with the light in
+                ///< their plane cast nothing
 };
 
 /// A directed edge of the boundary between light and shadow.
 struct SilhouetteEdge
 {
-  std::uint32_t from;         ///< vertex; the edge is wound as the casting triangle, turned to the light, winds it
-  std::uint32_t to;           ///< vertex
+  std::uint32_t from; ///< vertex; the edge is wound as the casting triangle, turned to the light, winds it
+  std::uint32_t to;   ///< vertex
   std::uint32_t multiplicity; ///< 1 or 2: how many quads it stands for
 };
 
 /// The faces of one caster's shadow volume for one light, as indices into the vertices of its SEDGeometry.
 ///
-/// Each vertex v exists twice: index 2v is the near copy at the vertex, 2v + 1 the far copy at infinity, moved
-/// along the ray from the light. Triangles are wound counter-clockwise seen from outside the volume, except
-/// those in lightCapReversed.
+/// Each vertex v exists twice: index 2v is the near copy at the vertex, 2v + 1 the far copy, moved along the
+/// ray from the light to infinity or to a plane behind everything that receives shadows. Triangles are wound counter-clockwise seen from outside the volume,
+/// except those in lightCapReversed.
 struct ShadowVolume
 {
   using Triangle = std::array<std::uint32_t, 3>;
 
   Casting casting = Casting::EveryTriangle;
-  std::vector<Triangle> sides;            ///< two a quad; one where the far copies coincide (directional light)
-  std::vector<Triangle> lightCap;         ///< near copies in raster order, counter-clockwise from outside
-  std::vector<Triangle> lightCapReversed; ///< near copies in raster order, clockwise from outside: a cap must keep
-                                          ///< the raster order of the surface it lies on, so its stencil
+  std::vector<Triangle> sides;    ///< two a quad; one where the far copies coincide
+  std::vector<Triangle> lightCap; ///< near copies in raster order, counter-clockwise from outside
+  std::vector<Triangle> lightCapReversed; ///< near copies in raster order, clockwise from outside: a cap must
+                                          ///< keep the raster order of the surface it lies on, so its stencil
                                           ///< operations are swapped instead of its vertices
-  std::vector<Triangle> darkCap;          ///< far copies; empty for a directional light
-  std::size_t silhouetteEdges = 0;        ///< with multiplicity
-  std::size_t overlapBound = 0;           ///< no ray from the light enters the volume more often than this
+  std::vector<Triangle> darkCap;   ///< far copies; empty where they coincide
+  std::size_t silhouetteEdges = 0; ///< with multiplicity
+  std::size_t overlapBound = 0;    ///< no ray from the light enters the volume more often than this
 
   std::size_t getTriangleCount() const
   {
@@ -54,12 +55,13 @@ struct ShadowVolume
   }
 };
 
-/// How the end of a shadow volume at infinity is closed.
+/// How the far end of a shadow volume is closed.
 enum class DarkCap
 {
-  None,     ///< z-pass, or the far end cannot be seen
+  None,      ///< z-pass, or the far end cannot be seen
   Triangles, ///< the thesis's: the averted triangles of a closed mesh, or each casting triangle's far copy
-  Fan       ///< a fan over the far silhouette: as many triangles as edges; needs the light outside the bounding sphere
+  Fan ///< a fan over the far silhouette: as many triangles as edges; at infinity it needs the light outside
+      ///< the bounding sphere
 };
 
 /// What a volume is wanted for.
@@ -67,23 +69,35 @@ struct ShadowVolumeOptions
 {
   bool lightCap = true;
   DarkCap darkCap = DarkCap::Triangles;
+  bool farAtInfinity = true; ///< the far copies for a directional light then coincide
 };
 
-/// How each triangle faces a light. Decided in double precision, once.
+/// How each triangle faces a light. Decided once, and exactly: where rounding could change the sign, exact
+/// arithmetic takes over. Two triangles in one plane therefore always agree.
+///
+/// A vertex that single precision cannot tell from a point light leaves its triangles with neither bit. A
+/// light that is not finite leaves all of them so.
 ///
 /// @param lightMC  light position relative to the geometry's origin, in model units (w = 1), or the direction
 ///                 towards a directional light (w = 0)
+/// @pre            the light's coordinates are zero or of magnitude 1e-150 to 1e150
 /// @par Cost       O(triangles); reads 32 bytes a triangle
-/// @par Source     Shi 2006, chapter 3.1
+/// @par Source     Shi 2006, chapter 3.1; Shewchuk 1997, see ExactOrientation.h
 LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 
-/// Casting::LightFacing when that is enough for this mesh and light: the mesh is closed and the light is outside it.
+/// Casting::LightFacing when that is enough for this mesh and light: the mesh is closed and the light is
+/// outside its bounding box, as every directional light is. Inside the box the light may be inside the mesh,
+/// and Casting::EveryTriangle is right everywhere.
 Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 
 /// Turns a silhouette into the faces of the shadow volume.
 ///
 /// @param silhouette  as found by a silhouette method for the same @p facing and @p casting
-/// @post  without caps the sides' near edges are the silhouette; with both caps the volume is a closed surface
+/// @post  without caps the sides' near edges are the silhouette; with both caps the volume is a closed
+/// surface:
+///        each edge is run through as often forwards as backwards, once lightCapReversed is turned and, for a
+///        directional light at infinity, all far copies are taken as one point
+/// @post  overlapBound is the number of casting triangles, or boundOverlap() where that is above 255
 /// @par Cost    O(silhouette), plus O(triangles) when caps are wanted
 /// @par Source  Everitt & Kilgard 2002, "Practical and Robust Stenciled Shadow Volumes"
 ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,

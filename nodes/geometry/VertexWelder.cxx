@@ -60,8 +60,7 @@ class ExactTable
 {
 public:
   ExactTable(std::size_t entries, std::vector<glm::vec3>& welded)
-    : slots(tableSize(entries), emptySlot)
-    , positions(welded)
+      : slots(tableSize(entries), emptySlot), positions(welded)
   {
   }
 
@@ -95,9 +94,7 @@ class CellTable
 {
 public:
   CellTable(std::size_t entries, double cellSize, std::vector<glm::vec3>& welded)
-    : heads(tableSize(entries), emptySlot)
-    , tolerance(cellSize)
-    , positions(welded)
+      : heads(tableSize(entries), emptySlot), tolerance(cellSize), positions(welded)
   {
   }
 
@@ -158,8 +155,8 @@ void weldThrough(Table& table, const std::vector<glm::dvec3>& points, const std:
   }
 }
 
-/// Cell numbers must be exact in double precision, or neighbours could not be found. Tolerances that break this
-/// are below the spacing of float32 positions of the same size.
+/// Cell numbers must be exact in double precision, or neighbours could not be found. Tolerances that break
+/// this are below the spacing of float32 positions of the same size.
 bool isToleranceUsable(const std::vector<glm::dvec3>& points, const std::vector<std::uint8_t>& wanted,
                        const glm::dvec3& origin, double tolerance)
 {
@@ -187,8 +184,8 @@ WeldedPoints weldPoints(const std::vector<glm::dvec3>& points, const std::vector
   WeldedPoints result;
   result.vertexOf.resize(points.size());
   result.positions.reserve(sizeHint);
-  const auto entries =
-    static_cast<std::size_t>(std::count_if(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }));
+  const auto entries = static_cast<std::size_t>(
+      std::count_if(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }));
   if (isToleranceUsable(points, wanted, origin, tolerance))
   {
     CellTable table(entries, tolerance, result.positions);

@@ -33,11 +33,16 @@ struct CasterPlan
   StencilCount count = StencilCount::Skip;
   bool lightCap = false;
   DarkCap darkCap = DarkCap::None;
+  glm::dvec4 farPlaneWC{0.0, 0.0, 0.0, 1.0}; ///< where the volume ends, in world space; as it stands: at infinity
   const char* skipReason = nullptr; ///< set when the caster could have cast and was left out
 
-  bool operator==(const CasterPlan& other) const
+  bool isFarAtInfinity() const { return this->farPlaneWC == glm::dvec4(0.0, 0.0, 0.0, 1.0); }
+
+  /// The same faces will do.
+  bool hasFacesOf(const CasterPlan& other) const
   {
-    return this->count == other.count && this->lightCap == other.lightCap && this->darkCap == other.darkCap;
+    return this->lightCap == other.lightCap && this->darkCap == other.darkCap &&
+           this->isFarAtInfinity() == other.isFarAtInfinity();
   }
 };
 

@@ -11,8 +11,8 @@ std::string toString(SilhouetteMethod method)
 {
   switch (method)
   {
-    case SilhouetteMethod::BruteForce:
-      return "brute-force";
+  case SilhouetteMethod::BruteForce:
+    return "brute-force";
   }
   throw std::invalid_argument("unknown silhouette method");
 }
@@ -21,8 +21,8 @@ std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method)
 {
   switch (method)
   {
-    case SilhouetteMethod::BruteForce:
-      return std::make_unique<BruteForceSilhouette>();
+  case SilhouetteMethod::BruteForce:
+    return std::make_unique<BruteForceSilhouette>();
   }
   throw std::invalid_argument("unknown silhouette method");
 }

@@ -25,10 +25,15 @@ public:
   ///
   /// Casting::LightFacing: the boundary of the light-facing part, multiplicity 1.
   /// Casting::EveryTriangle: the boundary of the sum of all triangles, each turned to face the light:
-  /// multiplicity 1 on a border, 2 where the facing changes.
+  /// multiplicity 1 on a border and beside a triangle with the light in its plane, 2 where the facing
+  /// changes.
   ///
-  /// @param facing  see computeFacing(); a triangle with the light in its plane counts as averted
-  /// @post  every vertex has as many outgoing as incoming edges (with multiplicity) on a closed mesh, for any facing
+  /// @param facing  see computeFacing(). A triangle with neither bit (the light in its plane) is averted for
+  ///                Casting::LightFacing and does not cast for Casting::EveryTriangle
+  /// @post  as many edges (with multiplicity) leave each vertex as arrive there, for any facing: on a closed
+  /// mesh
+  ///        with Casting::LightFacing, on every mesh with Casting::EveryTriangle. Vertices that were split
+  ///        from one another count as one
   virtual std::vector<SilhouetteEdge> find(const SEDGeometry& geometry, const LightFacing& facing,
                                            Casting casting) const = 0;
 };

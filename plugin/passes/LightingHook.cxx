@@ -46,7 +46,7 @@ int substitutePhysicallyBased(std::string& shader, const std::string& light)
 
 } // namespace
 
-bool LightingHook::substitute(std::string& fragmentShader) const
+bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
 {
   int blinnPhong = 0;
   int physicallyBased = 0;
@@ -80,7 +80,9 @@ bool LightingHook::substitute(std::string& fragmentShader) const
   const std::size_t main = fragmentShader.find("void main()");
   if (main != std::string::npos)
   {
-    fragmentShader.insert(main, "#define SHADOW_SAMPLES " + std::to_string(this->samples) + "\n" +
+    fragmentShader.insert(fragmentShader.find('{', main) + 1, "\n  readShadowMask();\n");
+    fragmentShader.insert(main, "#define SHADOW_SAMPLES " + std::to_string(this->samples) +
+                                    "\n#define SHADOW_MATCH " + (mirrored ? "0\n" : "1\n") +
                                     shaders::shadowFactor_glsl + "\n");
   }
   const bool hasSceneLights = fragmentShader.find("uniform vec3 lightDirectionVC0") != std::string::npos &&
@@ -138,7 +140,7 @@ void LightingHook::end(vtkOpenGLState* state)
   }
 }
 
-void LightingHook::setUniforms(vtkShaderProgram* program, bool mirrored) const
+void LightingHook::setUniforms(vtkShaderProgram* program) const
 {
   if (program->IsUniformUsed("shadowPass"))
   {
@@ -152,11 +154,13 @@ void LightingHook::setUniforms(vtkShaderProgram* program, bool mirrored) const
   std::copy_n(this->strength.begin(), std::min<std::size_t>(this->strength.size(), maximumLights), values.begin());
   program->SetUniform1fv("shadowStrength", maximumLights, values.data());
   program->SetUniformi("shadowMask", this->maskUnit);
-  program->SetUniformi("shadowDepth", this->depthUnit);
   program->SetUniform2i("shadowOrigin", this->origin);
-  program->SetUniformi("shadowMatch", mirrored ? 0 : 1);
-  program->SetUniform4f("shadowRange", this->range);
-  program->SetUniformi("shadowReversed", this->reversed ? 1 : 0);
+  if (program->IsUniformUsed("shadowDepth"))
+  {
+    program->SetUniformi("shadowDepth", this->depthUnit);
+    program->SetUniform4f("shadowRange", this->range);
+    program->SetUniformi("shadowReversed", this->reversed ? 1 : 0);
+  }
 }
 
 } // namespace shadow

@@ -27,17 +27,18 @@ public:
     AmbientOnly = -2
   };
 
-  /// Changes a shader. @return false when the shader has lights but none of the lines we know
-  bool substitute(std::string& fragmentShader) const;
+  /// Changes a shader.
+  ///
+  /// @param mirrored  the prop's surfaces are in the mask; if not, the shader compares depths
+  /// @return false when the shader has lights but none of the lines we know
+  bool substitute(std::string& fragmentShader, bool mirrored) const;
 
   /// Binds mask and depth to texture units of their own. @post end() must be called
   void begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, const View& view);
   void end(vtkOpenGLState* state);
 
   /// Hands the uniforms to a program.
-  ///
-  /// @param mirrored  the prop's surfaces are in the mask; if not, depths are compared
-  void setUniforms(vtkShaderProgram* program, bool mirrored) const;
+  void setUniforms(vtkShaderProgram* program) const;
 
   std::vector<float> strength; ///< a light that is switched on: 0 no shadow, 1 all of its light
   int pass = AllLights;        ///< which light the coming pass draws

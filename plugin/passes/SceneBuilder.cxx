@@ -68,8 +68,9 @@ bool drawsItsPolygons(vtkMapper* mapper)
 
 } // namespace
 
-void SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group& root)
+bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group& root)
 {
+  const std::set<vtkProp*> mirroredBefore = std::move(this->mirrored);
   this->mirrored.clear();
   this->skipped.clear();
   this->errors.clear();
@@ -89,6 +90,7 @@ void SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
     }
   }
   this->dropUnused();
+  return this->mirrored != mirroredBefore;
 }
 
 void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
@@ -155,7 +157,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   // VTK stores row-major, GLM column-major.
   transform->matrix = glm::transpose(glm::make_mat4(assemblyPath->GetLastNode()->GetMatrix()->GetData()));
   transform->clearChildren();
-  for (vtkPolyData* polyData : this->collectData(actor))
+  for (vtkPolyData* polyData : this->collectData(actor, path, transform->matrix))
   {
     if (const std::shared_ptr<SEDGeode> geode = this->getGeode(polyData, settings, transform->name))
     {
@@ -170,7 +172,8 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   }
 }
 
-std::vector<vtkPolyData*> SceneBuilder::collectData(vtkActor* actor)
+std::vector<vtkPolyData*> SceneBuilder::collectData(vtkActor* actor, const PropPath& path,
+                                                    const glm::dmat4& modelToWorld)
 {
   vtkMapper* mapper = drawingMapper(actor->GetMapper());
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
@@ -191,37 +194,46 @@ std::vector<vtkPolyData*> SceneBuilder::collectData(vtkActor* actor)
       }
     }
   }
-  vtkMapper* outer = actor->GetMapper();
-  if (outer->GetClippingPlanes() != nullptr && outer->GetClippingPlanes()->GetNumberOfItems() > 0)
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  if (planes != nullptr && planes->GetNumberOfItems() > 0)
   {
-    std::transform(data.begin(), data.end(), data.begin(),
-                   [&](vtkPolyData* polyData) { return this->clip(polyData, outer); });
+    std::transform(data.begin(), data.end(), data.begin(), [&](vtkPolyData* polyData) {
+      return this->clip(polyData, planes, path, modelToWorld);
+    });
   }
   return data;
 }
 
-// VTK clips in the shader; a shadow needs the geometry that is left.
-vtkPolyData* SceneBuilder::clip(vtkPolyData* input, vtkMapper* mapper)
+// VTK clips in the shader, by planes in world space; a shadow needs the geometry that is left.
+vtkPolyData* SceneBuilder::clip(vtkPolyData* input, vtkPlaneCollection* planes, const PropPath& path,
+                                const glm::dmat4& modelToWorld)
 {
-  ClippedMesh& entry = this->clipped[{mapper, input}];
+  ClippedMesh& entry = this->clipped[{path, input}];
   entry.used = true;
-  vtkMTimeType time = std::max(input->GetMTime(), mapper->GetClippingPlanes()->GetMTime());
-  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  vtkCollectionSimpleIterator iterator;
-  planes->InitTraversal(iterator);
-  while (vtkPlane* plane = planes->GetNextPlane(iterator))
+  vtkMTimeType time = std::max(input->GetMTime(), planes->GetMTime());
+  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
   {
-    time = std::max(time, plane->GetMTime());
+    time = std::max(time, planes->GetItem(i)->GetMTime());
   }
-  if (entry.output != nullptr && entry.input == input && entry.time == time)
+  if (entry.output != nullptr && entry.input == input && entry.time == time && entry.modelToWorld == modelToWorld)
   {
     return entry.output;
   }
   vtkSmartPointer<vtkPolyData> current = vtkSmartPointer<vtkPolyData>::New();
   current->CopyStructure(input);
-  planes->InitTraversal(iterator);
-  while (vtkPlane* plane = planes->GetNextPlane(iterator))
+  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
   {
+    double* normal = planes->GetItem(i)->GetNormal();
+    double* origin = planes->GetItem(i)->GetOrigin();
+    const glm::dvec3 normalWC(normal[0], normal[1], normal[2]);
+    const glm::dvec3 originWC(origin[0], origin[1], origin[2]);
+    const glm::dvec4 planeMC = glm::dvec4(normalWC, -glm::dot(normalWC, originWC)) * modelToWorld;
+    const double length = glm::length(glm::dvec3(planeMC));
+    const glm::dvec3 normalMC = glm::dvec3(planeMC) / length;
+    const glm::dvec3 originMC = normalMC * (-planeMC.w / length);
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(normalMC.x, normalMC.y, normalMC.z);
+    plane->SetOrigin(originMC.x, originMC.y, originMC.z);
     vtkNew<vtkClipPolyData> clipper;
     clipper->SetInputData(current);
     clipper->SetClipFunction(plane);
@@ -230,6 +242,7 @@ vtkPolyData* SceneBuilder::clip(vtkPolyData* input, vtkMapper* mapper)
   }
   entry.output = current;
   entry.input = input;
+  entry.modelToWorld = modelToWorld;
   entry.time = time;
   return entry.output;
 }

@@ -17,7 +17,7 @@
 
 class vtkActor;
 class vtkAssemblyPath;
-class vtkMapper;
+class vtkPlaneCollection;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -38,7 +38,8 @@ public:
 
   /// Makes the children of @p root what the renderer shows now.
   /// Cost: O(props) when nothing changed; O(triangles) for a data set that is new or changed.
-  void update(vtkRenderer* renderer, const Settings& settings, Group& root);
+  /// @return true when other actors are mirrored than the last time
+  bool update(vtkRenderer* renderer, const Settings& settings, Group& root);
 
   /// True when the actor's surfaces are in the graph, so that its pixels have their own place in the mask.
   bool isMirrored(vtkProp* actor) const { return this->mirrored.count(actor) != 0; }
@@ -71,6 +72,7 @@ private:
   {
     vtkSmartPointer<vtkPolyData> output;
     vtkWeakPointer<vtkPolyData> input;
+    glm::dmat4 modelToWorld{1.0};
     vtkMTimeType time = 0;
     bool used = false;
   };
@@ -78,15 +80,16 @@ private:
   void addProp(vtkProp* prop, const Settings& settings, Group& root);
   void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath, const Settings& settings,
                 Group& root);
-  std::vector<vtkPolyData*> collectData(vtkActor* actor);
-  vtkPolyData* clip(vtkPolyData* input, vtkMapper* mapper);
+  std::vector<vtkPolyData*> collectData(vtkActor* actor, const PropPath& path, const glm::dmat4& modelToWorld);
+  vtkPolyData* clip(vtkPolyData* input, vtkPlaneCollection* planes, const PropPath& path,
+                    const glm::dmat4& modelToWorld);
   std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const Settings& settings, const std::string& name);
   std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
   void skip(vtkProp* prop, const std::string& reason);
   void dropUnused();
 
   std::map<vtkPolyData*, Mesh> meshes;
-  std::map<std::pair<vtkMapper*, vtkPolyData*>, ClippedMesh> clipped;
+  std::map<std::pair<PropPath, vtkPolyData*>, ClippedMesh> clipped;
   std::map<PropPath, std::pair<std::shared_ptr<Transform>, bool>> transforms; ///< bool: used
   std::set<vtkProp*> mirrored;
   std::set<CasterCuller::Skipped> skipped;

@@ -125,7 +125,10 @@ void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, R
   shadow::SceneBuilder::Settings settings;
   settings.weldTolerance = self->WeldTolerance;
   settings.isCasting = [this](vtkProp* prop) { return this->IsCasting(prop); };
-  state.Builder.update(state.Renderer, settings, *state.Effect);
+  if (state.Builder.update(state.Renderer, settings, *state.Effect))
+  {
+    this->ShaderTime.Modified();
+  }
   for (const std::string& error : state.Builder.getErrors())
   {
     this->AddMessage(error);

@@ -149,7 +149,9 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
 bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
   std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  if (!this->Internals->Hook.substitute(fragmentShader))
+  const auto* current = this->Internals->Current;
+  const bool mirrored = current != nullptr && current->Builder.isMirrored(prop);
+  if (!this->Internals->Hook.substitute(fragmentShader, mirrored))
   {
     this->Internals->AddMessage(std::string("the shader of a ") + prop->GetClassName() +
       " has lighting that shadows cannot be put into; it is drawn without");
@@ -161,8 +163,7 @@ bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std
 bool vtkShadowVolumePass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
 {
-  const auto& current = this->Internals->Current;
-  this->Internals->Hook.setUniforms(program, current != nullptr && current->Builder.isMirrored(prop));
+  this->Internals->Hook.setUniforms(program);
   return this->Superclass::SetShaderParameters(program, mapper, prop, VAO);
 }
 

@@ -69,7 +69,7 @@ void buildAdjacency(benchmark::State& state, Input input)
   }
   countItems(state, soup.triangles.size());
   state.counters["peakBytesPerTriangle"] =
-    static_cast<double>(peak) / static_cast<double>(soup.triangles.size());
+      static_cast<double>(peak) / static_cast<double>(soup.triangles.size());
 }
 
 void computeFacing(benchmark::State& state)
@@ -102,8 +102,7 @@ void extrude(benchmark::State& state, bool withCaps)
 {
   const shadow::SEDGeometry geometry = shadow::test::build(makeInput(state.range(0), Input::Shared));
   const shadow::LightFacing facing = shadow::computeFacing(geometry, lightMC);
-  const auto silhouette =
-    shadow::BruteForceSilhouette().find(geometry, facing, shadow::Casting::LightFacing);
+  const auto silhouette = shadow::BruteForceSilhouette().find(geometry, facing, shadow::Casting::LightFacing);
   const shadow::ShadowVolumeOptions options{withCaps,
                                             withCaps ? shadow::DarkCap::Triangles : shadow::DarkCap::None};
   for (auto _ : state)
@@ -118,12 +117,11 @@ void boundOverlap(benchmark::State& state)
 {
   const shadow::SEDGeometry geometry = shadow::test::build(makeInput(state.range(0), Input::Shared));
   const shadow::LightFacing facing = shadow::computeFacing(geometry, lightMC);
-  const auto silhouette =
-    shadow::BruteForceSilhouette().find(geometry, facing, shadow::Casting::LightFacing);
+  const auto silhouette = shadow::BruteForceSilhouette().find(geometry, facing, shadow::Casting::LightFacing);
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(
-      shadow::boundOverlap(geometry, silhouette, facing, shadow::Casting::LightFacing, lightMC));
+        shadow::boundOverlap(geometry, silhouette, facing, shadow::Casting::LightFacing, lightMC));
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(silhouette.size()) * state.iterations());
 }
@@ -136,12 +134,18 @@ void sizes(benchmark::internal::Benchmark* benchmark)
 
 } // namespace
 
-BENCHMARK_CAPTURE(buildAdjacency, torus / shared, Input::Shared)->Apply(sizes);
-BENCHMARK_CAPTURE(buildAdjacency, torus / unshared, Input::Unshared)->Apply(sizes);
-BENCHMARK_CAPTURE(buildAdjacency, torus / scrambled, Input::Scrambled)->Apply(sizes);
-BENCHMARK(computeFacing)->Name("computeFacing/torus")->Apply(sizes);
-BENCHMARK_CAPTURE(findSilhouette, torus / lightFacing, shadow::Casting::LightFacing)->Apply(sizes);
-BENCHMARK_CAPTURE(findSilhouette, torus / everyTriangle, shadow::Casting::EveryTriangle)->Apply(sizes);
-BENCHMARK_CAPTURE(extrude, torus / sides, false)->Apply(sizes);
-BENCHMARK_CAPTURE(extrude, torus / caps, true)->Apply(sizes);
-BENCHMARK(boundOverlap)->Name("boundOverlap/torus")->Apply(sizes);
+BENCHMARK_CAPTURE(buildAdjacency, shared, Input::Shared)->Name("Adjacency/torus/shared")->Apply(sizes);
+BENCHMARK_CAPTURE(buildAdjacency, unshared, Input::Unshared)->Name("Adjacency/torus/unshared")->Apply(sizes);
+BENCHMARK_CAPTURE(buildAdjacency, scrambled, Input::Scrambled)
+    ->Name("Adjacency/torus/scrambled")
+    ->Apply(sizes);
+BENCHMARK(computeFacing)->Name("Facing/torus")->Apply(sizes);
+BENCHMARK_CAPTURE(findSilhouette, closed, shadow::Casting::LightFacing)
+    ->Name("Silhouette/torus/bruteforce/lightFacing")
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(findSilhouette, soup, shadow::Casting::EveryTriangle)
+    ->Name("Silhouette/torus/bruteforce/everyTriangle")
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(extrude, sides, false)->Name("ShadowVolume/torus/sides")->Apply(sizes);
+BENCHMARK_CAPTURE(extrude, caps, true)->Name("ShadowVolume/torus/caps")->Apply(sizes);
+BENCHMARK(boundOverlap)->Name("OverlapBound/torus")->Apply(sizes);

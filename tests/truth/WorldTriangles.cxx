@@ -19,7 +19,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
-#include <vtkTriangleFilter.h>
 
 #include "CompositeMapper.h"
 
@@ -77,12 +76,7 @@ public:
 private:
   void appendMesh(vtkPolyData* mesh)
   {
-    vtkNew<vtkTriangleFilter> triangulate;
-    triangulate->PassVertsOff();
-    triangulate->PassLinesOff();
-    triangulate->SetInputData(mesh);
-    triangulate->Update();
-    vtkSmartPointer<vtkPolyData> triangles = this->inWorld(triangulate->GetOutput());
+    vtkSmartPointer<vtkPolyData> triangles = this->inWorld(mesh);
     vtkPlaneCollection* planes = this->mapper->GetClippingPlanes();
     for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
     {
@@ -91,12 +85,40 @@ private:
       clip->SetClipFunction(planes->GetItem(i));
       clip->Update();
       // A clipped triangle can become a quadrilateral.
-      vtkNew<vtkTriangleFilter> again;
-      again->SetInputConnection(clip->GetOutputPort());
-      again->Update();
-      triangles = again->GetOutput();
+      const auto clipped = vtkSmartPointer<vtkPolyData>::New();
+      clipped->SetPoints(clip->GetOutput()->GetPoints());
+      clipped->SetPolys(cutIntoTriangles(clip->GetOutput()));
+      triangles = clipped;
     }
     this->appendPolygons(triangles);
+  }
+
+  static vtkSmartPointer<vtkCellArray> cutIntoTriangles(vtkPolyData* mesh)
+  {
+    const auto triangles = vtkSmartPointer<vtkCellArray>::New();
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+    for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+    {
+      cells->GetCurrentCell(count, ids);
+      for (vtkIdType i = 2; i < count; ++i)
+      {
+        triangles->InsertNextCell({ids[0], ids[i - 1], ids[i]});
+      }
+    }
+    cells = vtk::TakeSmartPointer(mesh->GetStrips()->NewIterator());
+    for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+    {
+      cells->GetCurrentCell(count, ids);
+      for (vtkIdType i = 2; i < count; ++i)
+      {
+        // Every second triangle of a strip is wound the other way.
+        const bool even = i % 2 == 0;
+        triangles->InsertNextCell({ids[i - 2], ids[even ? i - 1 : i], ids[even ? i : i - 1]});
+      }
+    }
+    return triangles;
   }
 
   vtkSmartPointer<vtkPolyData> inWorld(vtkPolyData* mesh) const
@@ -114,7 +136,7 @@ private:
     }
     auto world = vtkSmartPointer<vtkPolyData>::New();
     world->SetPoints(points);
-    world->SetPolys(mesh->GetPolys());
+    world->SetPolys(cutIntoTriangles(mesh));
     return world;
   }
 

@@ -16,8 +16,8 @@ glm::dmat4 toGlm(vtkMatrix4x4* matrix);
 
 /// Appends the surface triangles that an updated mapper draws, in world space and double precision.
 ///
-/// Polygons and strips go through vtkTriangleFilter, so that whoever else triangulates with it sees the same
-/// triangles. Covers vtkPolyDataMapper, vtkDataSetMapper and the composite mappers with hidden blocks left
+/// Polygons are fans around their first corner, as VTK's mappers draw them; where a polygon is not flat, this
+/// decides what its surface is. Covers vtkPolyDataMapper, vtkDataSetMapper and the composite mappers with hidden blocks left
 /// out; the mapper's clipping planes are applied.
 ///
 /// @param style  its flags are given to every triangle

@@ -26,8 +26,8 @@ TriangleSoup makeCube(const glm::dvec3& centre, double size)
   TriangleSoup soup;
   for (int corner = 0; corner < 8; ++corner)
   {
-    soup.points.push_back(centre +
-                          size * (glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1) - glm::dvec3(0.5)));
+    soup.points.push_back(
+        centre + size * (glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1) - glm::dvec3(0.5)));
   }
   addQuad(soup, 0, 2, 3, 1);
   addQuad(soup, 4, 5, 7, 6);
@@ -116,7 +116,8 @@ TriangleSoup makeMoebius(std::uint32_t segments)
     for (const double side : {-0.4, 0.4})
     {
       const double reach = 1.0 + side * std::cos(0.5 * angle);
-      soup.points.emplace_back(reach * std::cos(angle), reach * std::sin(angle), side * std::sin(0.5 * angle));
+      soup.points.emplace_back(reach * std::cos(angle), reach * std::sin(angle),
+                               side * std::sin(0.5 * angle));
     }
     const std::uint32_t here = 2 * segment;
     if (segment + 1 < segments)
@@ -181,7 +182,8 @@ TriangleSoup makePlates(std::uint32_t plates)
   {
     const double height = plate;
     const std::uint32_t first = 4 * plate;
-    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
+    for (const glm::dvec2 corner :
+         {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
     {
       soup.points.emplace_back(corner, height);
     }
@@ -260,8 +262,7 @@ std::vector<NamedMesh> makeAllMeshes()
   turnRandomly(scrambled, 5);
   TriangleSoup finned = makeCube();
   append(finned, makeBook(5));
-  finned.points.push_back({3, 3, 3});
-  finned.triangles.push_back({0, 1, static_cast<std::uint32_t>(finned.points.size() - 1)});
+  finned.triangles.push_back({0, 1, 11}); // from an edge of the cube to a page of the book
   meshes.push_back({"open cylinder", makeOpenCylinder(12)});
   meshes.push_back({"moebius strip", makeMoebius(15)});
   meshes.push_back({"book", makeBook(5)});
@@ -277,8 +278,7 @@ std::vector<NamedMesh> makeAllMeshes()
 
 SEDGeometry build(const TriangleSoup& soup, double weldTolerance)
 {
-  SEDGeometryOptions options;
-  options.weldTolerance = weldTolerance;
+  const SEDGeometryOptions options{weldTolerance};
   std::string error;
   std::optional<SEDGeometry> geometry = buildSEDGeometry(soup, options, error);
   if (!geometry)

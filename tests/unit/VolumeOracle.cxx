@@ -114,7 +114,8 @@ std::array<glm::dvec3, 3> getCorners(const SEDGeometry& geometry, std::size_t tr
 
 glm::dvec3 getLightEnd(const glm::dvec3& point, const glm::dvec4& lightMC)
 {
-  return lightMC.w == 0.0 ? point + beyondAllMeshes * glm::normalize(glm::dvec3(lightMC)) : glm::dvec3(lightMC);
+  return lightMC.w == 0.0 ? point + beyondAllMeshes * glm::normalize(glm::dvec3(lightMC))
+                          : glm::dvec3(lightMC);
 }
 
 std::size_t countBlockers(const SEDGeometry& geometry, const glm::dvec3& point, const glm::dvec4& lightMC,
@@ -143,12 +144,13 @@ int countEnclosing(const SEDGeometry& geometry, const ShadowVolume& volume, cons
   {
     const glm::dvec3 at(geometry.getPositions()[index / 2]);
     const glm::dvec3 along =
-      directional ? -glm::normalize(glm::dvec3(lightMC)) : glm::normalize(at - glm::dvec3(lightMC));
+        directional ? -glm::normalize(glm::dvec3(lightMC)) : glm::normalize(at - glm::dvec3(lightMC));
     return index % 2 == 0 ? at : at + farAway * along;
   };
   int count = 0;
-  const auto cross = [&](const ShadowVolume::Triangle& face)
-  { return crossSegment({place(face[0]), place(face[1]), place(face[2])}, outside, point); };
+  const auto cross = [&](const ShadowVolume::Triangle& face) {
+    return crossSegment({place(face[0]), place(face[1]), place(face[2])}, outside, point);
+  };
   for (const ShadowVolume::Triangle& face : volume.sides)
   {
     count += cross(face);

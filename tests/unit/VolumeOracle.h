@@ -34,13 +34,14 @@ private:
 /// For each vertex the first one at the same position: undoes the splitting of vertices.
 std::vector<std::uint32_t> findFirstAtPosition(const SEDGeometry& geometry);
 
-/// All faces of a volume wound counter-clockwise from outside. The far copies of a directional light's volume become
-/// one index, and its sides stay single triangles.
+/// All faces of a volume wound counter-clockwise from outside. The far copies of a directional light's volume
+/// become one index, and its sides stay single triangles.
 EdgeBalance balanceVolume(const ShadowVolume& volume, bool directional);
 
 /// Does the triangle cross the open segment?
 ///
-/// @return  1 when the segment leaves the side that sees the corners counter-clockwise, -1 the other way, 0 for a miss
+/// @return  1 when the segment leaves the side that sees the corners counter-clockwise, -1 the other way, 0
+/// for a miss
 int crossSegment(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& start, const glm::dvec3& end);
 
 /// Corners of an oriented triangle.
@@ -55,8 +56,8 @@ glm::dvec3 getLightEnd(const glm::dvec3& point, const glm::dvec4& lightMC);
 std::size_t countBlockers(const SEDGeometry& geometry, const glm::dvec3& point, const glm::dvec4& lightMC,
                           const LightFacing* onlyTowards = nullptr);
 
-/// How often the volume's faces enclose a point, by counting crossings on the way to @p outside, which must be a
-/// point in the light. Far copies are placed at a finite distance, far beyond the meshes.
+/// How often the volume's faces enclose a point, by counting crossings on the way to @p outside, which must
+/// be a point in the light. Far copies are placed at a finite distance, far beyond the meshes.
 int countEnclosing(const SEDGeometry& geometry, const ShadowVolume& volume, const glm::dvec4& lightMC,
                    const glm::dvec3& point, const glm::dvec3& outside);
 

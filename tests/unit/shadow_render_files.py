@@ -1,4 +1,4 @@
-"""Writes the small meshes that the test of shadow_render's command line needs, and reads the pictures that come back.
+"""Writes the small meshes that the test of shadow_render's command line needs.
 
 Standard library only, so that nothing of ours or of VTK's is used to judge ours.
 """
@@ -6,7 +6,6 @@ Standard library only, so that nothing of ours or of VTK's is used to judge ours
 import base64
 import json
 import struct
-import zlib
 
 # A unit cube that stands on y = 0, every face wound to the outside.
 POINTS = [(x, y, z) for x in (-0.5, 0.5) for y in (0.0, 1.0) for z in (-0.5, 0.5)]
@@ -109,52 +108,3 @@ def glb():
     binary += b"\0" * (-len(binary) % 4)
     chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(binary), 0x004E4942) + binary
     return struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks
-
-
-class Picture:
-    """An 8-bit PNG without interlacing; row 0 is the top one."""
-
-    def __init__(self, path):
-        with open(path, "rb") as file:
-            data = file.read()
-        assert data[:8] == b"\x89PNG\r\n\x1a\n", "no PNG"
-        position, body, kinds = 8, b"", []
-        while position < len(data):
-            size, kind = struct.unpack(">I4s", data[position:position + 8])
-            content = data[position + 8:position + 8 + size]
-            kinds.append(kind)
-            if kind == b"IHDR":
-                self.width, self.height, depth, colour, _, _, interlaced = struct.unpack(">IIBBBBB", content)
-                assert depth == 8 and interlaced == 0
-                self.channels = {0: 1, 2: 3, 6: 4}[colour]
-            elif kind == b"IDAT":
-                body += content
-            position += size + 12
-        assert kinds[-1] == b"IEND", "the file is cut off"
-        self.rows = self._unfilter(zlib.decompress(body))
-
-    def _unfilter(self, data):
-        rows, stride = [], self.width * self.channels
-        previous = bytearray(stride)
-        for y in range(self.height):
-            start = y * (stride + 1)
-            kind, row = data[start], bytearray(data[start + 1:start + 1 + stride])
-            for x in range(stride):
-                left = row[x - self.channels] if x >= self.channels else 0
-                corner = previous[x - self.channels] if x >= self.channels else 0
-                row[x] = (row[x] + self._predict(kind, left, previous[x], corner)) & 255
-            rows.append(bytes(row))
-            previous = row
-        return rows
-
-    @staticmethod
-    def _predict(kind, left, above, corner):
-        if kind == 4:
-            distances = [abs(above - corner), abs(left - corner), abs(left + above - 2 * corner)]
-            return (left, above, corner)[distances.index(min(distances))]
-        return (0, left, above, (left + above) // 2)[kind]
-
-    def shadow(self):
-        """The pixels of a mask, (x, y) from the top left, that are in shadow."""
-        assert self.channels == 1
-        return {(x, y) for y, row in enumerate(self.rows) for x, value in enumerate(row) if value == 0}

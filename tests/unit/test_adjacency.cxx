@@ -227,7 +227,8 @@ TEST(Adjacency, Memory_StaysBelowItsBounds)
     TriangleSoup soup = makeTorus(1.0, 0.4, 250, 100);
     soup = unshared ? makeUnshared(soup) : soup;
     const auto triangles = static_cast<double>(soup.triangles.size());
-    const std::size_t soupBytes = soup.points.capacity() * sizeof(glm::dvec3) + 12 * soup.triangles.capacity();
+    const std::size_t soupBytes =
+        soup.points.capacity() * sizeof(glm::dvec3) + 12 * soup.triangles.capacity();
     AllocationCounter::resetPeak();
     const std::size_t before = AllocationCounter::getCurrent() - soupBytes;
     std::string error;

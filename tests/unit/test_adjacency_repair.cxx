@@ -128,8 +128,8 @@ TEST(Adjacency, SolidPinchedInAnEdge_ComesApartClosed)
 {
   // Four blocks in a ring that miss each other but for one edge: block 0 and block 3 touch in it.
   TriangleSoup soup;
-  for (const glm::dvec3 centre : {glm::dvec3(0, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 1), glm::dvec3(1, 1, 1),
-                                  glm::dvec3(1, 1, 0)})
+  for (const glm::dvec3 centre : {glm::dvec3(0, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 1),
+                                  glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 0)})
   {
     append(soup, makeCube(centre, 1.0));
   }

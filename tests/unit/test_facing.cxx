@@ -59,7 +59,8 @@ TriangleSoup makeWholeSoup(std::uint32_t triangles, int reach, std::mt19937& ran
   std::uniform_int_distribution<int> coordinate(-reach, reach);
   TriangleSoup soup;
   // The first two triangles span the bounding box, so that the origin is zero.
-  soup.points = {{-reach, -reach, -reach}, {reach, 0, 0}, {0, reach, 0}, {reach, reach, reach}, {0, 0, -reach}};
+  soup.points = {
+      {-reach, -reach, -reach}, {reach, 0, 0}, {0, reach, 0}, {reach, reach, reach}, {0, 0, -reach}};
   soup.triangles = {{0, 1, 2}, {3, 4, 0}};
   for (std::uint32_t triangle = 0; triangle < triangles; ++triangle)
   {

@@ -19,8 +19,7 @@ namespace
 std::size_t boundOf(const SEDGeometry& geometry, const glm::dvec4& light, Casting casting)
 {
   const LightFacing facing = computeFacing(geometry, light);
-  const auto silhouette =
-    makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
+  const auto silhouette = makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
   return boundOverlap(geometry, silhouette, facing, casting, light);
 }
 
@@ -85,17 +84,17 @@ TEST(OverlapBound, RandomSoups_NeverBelowTrueCountAndNotFarAbove)
 TEST(OverlapBound, StackedPlates_CountsThemAll)
 {
   const SEDGeometry geometry = build(makePlates(300));
-  for (const glm::dvec4& light : {glm::dvec4(0.1, 0.2, 1000, 1), glm::dvec4(0.1, 0.2, 151, 1), glm::dvec4(0, 0, 1, 0),
-                                  glm::dvec4(1e-4, 3e-4, 1, 0)})
+  for (const glm::dvec4& light : {glm::dvec4(0.1, 0.2, 1000, 1), glm::dvec4(0.1, 0.2, 151, 1),
+                                  glm::dvec4(0, 0, 1, 0), glm::dvec4(1e-4, 3e-4, 1, 0)})
   {
     const std::size_t bound = boundOf(geometry, light, Casting::EveryTriangle);
     EXPECT_GE(bound, 300u);
     EXPECT_LE(bound, 600u);
     const LightFacing facing = computeFacing(geometry, light);
     const auto silhouette =
-      makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, Casting::EveryTriangle);
-    const ShadowVolume volume = extrudeSilhouette(geometry, silhouette, facing, Casting::EveryTriangle, light,
-                                                  ShadowVolumeOptions());
+        makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, Casting::EveryTriangle);
+    const ShadowVolume volume =
+        extrudeSilhouette(geometry, silhouette, facing, Casting::EveryTriangle, light, ShadowVolumeOptions());
     EXPECT_EQ(volume.overlapBound, bound);
   }
   // Amidst the plates, each ray meets those on one side only.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -137,6 +138,15 @@ struct Refused
   std::vector<std::string> arguments;
   std::string part; ///< of the message
 };
+
+// The name that ctest shows.
+void PrintTo(const Refused& refused, std::ostream* stream)
+{
+  for (const std::string& argument : refused.arguments)
+  {
+    *stream << (&argument == &refused.arguments.front() ? "" : " ") << argument;
+  }
+}
 
 class RenderOptionsRefused : public testing::TestWithParam<Refused>
 {

@@ -17,8 +17,7 @@ namespace
 ShadowVolume extrude(const SEDGeometry& geometry, const glm::dvec4& light, Casting casting, DarkCap darkCap)
 {
   const LightFacing facing = computeFacing(geometry, light);
-  const auto silhouette =
-    makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
+  const auto silhouette = makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
   ShadowVolumeOptions options;
   options.darkCap = darkCap;
   return extrudeSilhouette(geometry, silhouette, facing, casting, light, options);
@@ -94,7 +93,7 @@ TEST(ShadowVolume, WithoutCaps_NearEdgesAreTheSilhouette)
       const LightFacing facing = computeFacing(geometry, light);
       const Casting casting = chooseCasting(geometry, light);
       const auto silhouette =
-        makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
+          makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
       const ShadowVolume volume = extrudeSilhouette(geometry, silhouette, facing, casting, light,
                                                     ShadowVolumeOptions{false, DarkCap::None});
       EXPECT_TRUE(volume.lightCap.empty() && volume.lightCapReversed.empty() && volume.darkCap.empty());
@@ -117,7 +116,7 @@ TEST(ShadowVolume, ClosedMesh_CapsAreTheMeshOnce)
     SCOPED_TRACE(mesh.name);
     const SEDGeometry geometry = build(mesh.soup);
     const ShadowVolume volume =
-      extrude(geometry, glm::dvec4(5, 6, 7, 1), Casting::LightFacing, DarkCap::Triangles);
+        extrude(geometry, glm::dvec4(5, 6, 7, 1), Casting::LightFacing, DarkCap::Triangles);
     EXPECT_EQ(volume.lightCap.size() + volume.lightCapReversed.size() + volume.darkCap.size(),
               geometry.getTriangles().size());
     EXPECT_EQ(volume.getTriangleCount(), geometry.getTriangles().size() + 2 * volume.silhouetteEdges);
@@ -225,11 +224,34 @@ TEST(ShadowVolume, LightFacing_BlocksExactlyWhatEveryTriangleBlocks)
   }
 }
 
+TEST(ShadowVolume, VertexAtTheLight_HasNoFacesWhateverTheFacingSays)
+{
+  const SEDGeometry geometry = build(makeSphere(1.0, 12, 8));
+  const glm::dvec4 light(glm::dvec3(geometry.getPositions()[30]), 1.0);
+  // Facing from elsewhere, as a method on the GPU may round it.
+  const LightFacing facing = computeFacing(geometry, light * glm::dvec4(1.01, 1.01, 1.01, 1.0));
+  for (const DarkCap darkCap : {DarkCap::Triangles, DarkCap::Fan})
+  {
+    const auto silhouette =
+        makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, Casting::LightFacing);
+    const ShadowVolume volume = extrudeSilhouette(geometry, silhouette, facing, Casting::LightFacing, light,
+                                                  ShadowVolumeOptions{true, darkCap});
+    for (const auto* faces : {&volume.sides, &volume.lightCap, &volume.lightCapReversed, &volume.darkCap})
+    {
+      for (const ShadowVolume::Triangle& face : *faces)
+      {
+        EXPECT_TRUE(face[0] / 2 != 30 && face[1] / 2 != 30 && face[2] / 2 != 30);
+      }
+    }
+  }
+}
+
 TEST(ShadowVolume, Casting_IsLightFacingOnlyForClosedMeshesAndLightsOutside)
 {
   const SEDGeometry closed = build(makeSphere(1.0, 12, 8));
   const SEDGeometry open = build(makeOpenCylinder(12));
-  for (const glm::dvec4 outside : {glm::dvec4(3, 0, 0, 1), glm::dvec4(0, 0, 1, 0), glm::dvec4(0.1, 0.1, 1.01, 1)})
+  for (const glm::dvec4 outside :
+       {glm::dvec4(3, 0, 0, 1), glm::dvec4(0, 0, 1, 0), glm::dvec4(0.1, 0.1, 1.01, 1)})
   {
     EXPECT_EQ(chooseCasting(closed, outside), Casting::LightFacing);
     EXPECT_EQ(chooseCasting(open, outside), Casting::EveryTriangle);

@@ -1,0 +1,27 @@
+#ifndef shadow_examples_TextCheck_h
+#define shadow_examples_TextCheck_h
+
+#include <string>
+
+namespace shadow::examples
+{
+
+// VTK's readers of these two text formats take what is no number for 0, and vtkOBJReader uses indices of
+// texture coordinates and normals unseen. So their files are looked through first.
+
+/// What is wrong with an OBJ file, as "line 3: ..."; empty when nothing is.
+///
+/// Looks at points and faces: three finite coordinates, and indices of points, texture coordinates and
+/// normals that are there.
+/// @par Cost  reads the file once
+std::string findObjDamage(const std::string& file);
+
+/// What is wrong with the numbers of a PLY file in text form; empty when nothing is or when it is in binary
+/// form.
+///
+/// @par Cost  reads the file once
+std::string findPlyDamage(const std::string& file);
+
+} // namespace shadow::examples
+
+#endif

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkHeadlessRenderWindow.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkShadowVolumePass.h>
+#include <vtkSmartPointer.h>
+
+#include "MaskError.h"
+
+class vtkAlgorithm;
+
+namespace shadow::truth
+{
+
+/// A scene in a headless window with the shadow pass attached, whose shadow masks can be held against the truth.
+class ShadowScene
+{
+public:
+  ShadowScene(int width, int height);
+
+  vtkActor* addSource(vtkAlgorithm* source);   ///< an actor for a source's or reader's output
+  vtkActor* addPolyData(vtkPolyData* polyData);
+
+  /// A rectangle across the scene's visible props, just below their lowest point along y; larger than them by @p factor.
+  vtkActor* addFloor(double factor = 3.0);
+
+  vtkLight* addPointLight(double x, double y, double z);
+
+  /// @param dx,dy,dz  the way the light travels
+  vtkLight* addDirectionalLight(double dx, double dy, double dz);
+
+  /// Looks at the centre of the visible props from the direction (dx, dy, dz), @p distance of their bounding box's
+  /// diagonals away.
+  void lookFrom(double dx, double dy, double dz, double distance = 1.6);
+
+  /// Renders, and compares the mask of a light with the truth.
+  ///
+  /// @param light  index among the lights that are switched on
+  /// @param full   whether the certain pixels are counted, too
+  MaskError compare(int light = 0, bool full = false);
+
+  /// Renders, and reads the mask of a light. Bottom row first, 255 reached.
+  std::vector<unsigned char> renderMask(int light = 0);
+
+  /// Renders, and reads the picture. RGB, bottom row first.
+  std::vector<unsigned char> renderPicture();
+
+  vtkNew<vtkHeadlessRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkShadowVolumePass> pass;
+};
+
+} // namespace shadow::truth
