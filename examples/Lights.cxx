@@ -149,7 +149,7 @@ void setLights(vtkRenderer* renderer, const std::vector<LightOption>& lights)
 {
   renderer->AutomaticLightCreationOff();
   renderer->RemoveAllLights();
-  const double intensity = std::min(1.0, 1.5 / static_cast<double>(lights.size()));
+  const double intensity = std::min(1.0, 1.2 / static_cast<double>(lights.size()));
   for (const LightOption& option : lights)
   {
     vtkNew<vtkLight> light;

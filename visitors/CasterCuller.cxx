@@ -186,13 +186,13 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const Corners& corners, bo
 }
 
 // A floor, a wall: a flat caster cannot shadow itself, and all of the scene is on the light's side of it or in its plane.
-bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& modelToWorld, const Light& light) const
+bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& wcFromModel, const Light& light) const
 {
   if (!geometry.getCommonPlane())
   {
     return false;
   }
-  const glm::dmat4 worldFromMC = glm::translate(modelToWorld, geometry.getOrigin());
+  const glm::dmat4 worldFromMC = glm::translate(wcFromModel, geometry.getOrigin());
   glm::dvec4 plane = *geometry.getCommonPlane() * glm::inverse(worldFromMC);
   plane /= glm::length(glm::dvec3(plane));
   plane = glm::dot(plane, light.positionWC) < 0.0 ? -plane : plane;

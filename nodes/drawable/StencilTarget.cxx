@@ -86,7 +86,7 @@ void StencilTarget::begin(vtkOpenGLState* state, bool reversedDepth)
   glClearBufferfi(GL_DEPTH_STENCIL, 0, reversedDepth ? 0.0f : 1.0f, 0);
 }
 
-void StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light)
+void StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth)
 {
   vtkShaderProgram* program = programs.use(ShadowPrograms::Mask, false);
   if (program == nullptr)
@@ -94,12 +94,16 @@ void StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs,
     return;
   }
   program->SetUniformi("lightBit", light);
-  state->vtkglDisable(GL_DEPTH_TEST);
+  // Drawn at the farthest depth, and seen where a surface is in front of it.
+  program->SetUniformf("farDepth", reversedDepth ? 0.0f : 1.0f);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(reversedDepth ? GL_LESS : GL_GREATER);
   state->vtkglEnable(GL_STENCIL_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_NOTEQUAL, 0, 0xff);
-  state->vtkglStencilOpSeparate(GL_FRONT_AND_BACK, GL_KEEP, GL_ZERO, GL_ZERO);
+  state->vtkglStencilOpSeparate(GL_FRONT_AND_BACK, GL_ZERO, GL_ZERO, GL_ZERO);
   glEnable(GL_COLOR_LOGIC_OP);
   glLogicOp(GL_AND);
   glBindVertexArray(this->emptyVertexArray);
@@ -158,6 +162,7 @@ void StencilTarget::readResolved(vtkOpenGLRenderWindow* window, int light, std::
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, this->maskTexture);
+    program->SetUniformf("farDepth", 0.0f);
     program->SetUniformi("shadowMask", 0);
     program->SetUniformi("lightBit", light);
     program->SetUniformi("samples", this->samples);

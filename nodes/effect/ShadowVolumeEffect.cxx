@@ -172,6 +172,7 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
   const auto openStencil = [&] {
     program = programs.use(ShadowPrograms::Volume, view.parallel);
     state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(this->depthRange.reversed ? GL_GREATER : GL_LESS);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     state->vtkglEnable(GL_STENCIL_TEST);
@@ -180,7 +181,7 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     return program;
   };
   const auto fold = [&] {
-    this->target.foldStencil(state, programs, light.index);
+    this->target.foldStencil(state, programs, light.index, this->depthRange.reversed);
     counted = 0;
     open = false;
   };

@@ -12,8 +12,6 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "MaskTruth.h"
-#include "RayCaster.h"
 #include "SceneFromRenderer.h"
 
 namespace shadow::truth
@@ -129,10 +127,20 @@ std::vector<unsigned char> ShadowScene::renderPicture()
 MaskError ShadowScene::compare(int light, bool full)
 {
   const std::vector<unsigned char> mask = this->renderMask(light);
-  const RayCaster caster(sceneFromRenderer(this->renderer, [this](vtkProp* prop) { return this->pass->GetCasting(prop); }));
-  const MaskTruth truth(caster, viewFromRenderer(this->renderer),
-                        lightsFromRenderer(this->renderer).at(static_cast<std::size_t>(light)).light);
-  return compareMask(truth, mask, full);
+  const SceneTruth truth = this->makeTruth(light);
+  return compareMask(truth.mask(), mask, full);
+}
+
+MaskError ShadowScene::compare(const SceneTruth& truth, int light, bool full)
+{
+  return compareMask(truth.mask(), this->renderMask(light), full);
+}
+
+SceneTruth ShadowScene::makeTruth(int light)
+{
+  return SceneTruth(sceneFromRenderer(this->renderer, [this](vtkProp* prop) { return this->pass->GetCasting(prop); }),
+                    viewFromRenderer(this->renderer),
+                    lightsFromRenderer(this->renderer).at(static_cast<std::size_t>(light)).light);
 }
 
 } // namespace shadow::truth

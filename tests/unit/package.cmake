@@ -1,0 +1,26 @@
+# The package as others get it: installed into a folder of its own, used from outside. Included by CMakeLists.txt.
+set(package_prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
+set(package_test ${CMAKE_COMMAND} -DBUILD_FOLDER=${PROJECT_BINARY_DIR} -DPREFIX=${package_prefix}
+  -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/package -DGENERATOR=${CMAKE_GENERATOR} -DCONFIG=$<CONFIG>)
+
+add_test(NAME package.Installs
+  COMMAND ${package_test} -DSTEP=install -P ${CMAKE_CURRENT_LIST_DIR}/package_test.cmake)
+set_tests_properties(package.Installs PROPERTIES LABELS unit FIXTURES_SETUP package TIMEOUT 120)
+
+if(VTKSHADOW_HEADLESS)
+  add_test(NAME package.OutsideProgram_FindsAndRenders
+    COMMAND ${package_test} -DSTEP=consumer -DCONSUMER=${CMAKE_CURRENT_LIST_DIR}/consumer
+      -DVTK_DIR=${VTK_DIR} -DCXX_FLAGS=${CMAKE_CXX_FLAGS} -P ${CMAKE_CURRENT_LIST_DIR}/package_test.cmake)
+  set_tests_properties(package.OutsideProgram_FindsAndRenders PROPERTIES
+    LABELS unit FIXTURES_REQUIRED package TIMEOUT 300)
+endif()
+
+if(VTKSHADOW_HEADLESS AND VTKSHADOW_PYTHON_WRAPPED)
+  foreach(case renders vtk_first no_osmesa without_headless)
+    add_test(NAME package.Python_${case}
+      COMMAND ${VTKSHADOW_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/python_import.py ${case})
+    set_tests_properties(package.Python_${case} PROPERTIES
+      LABELS unit FIXTURES_REQUIRED package TIMEOUT 120
+      ENVIRONMENT "PYTHONPATH=${package_prefix}/${VTKSHADOW_PYTHON_DESTINATION}")
+  endforeach()
+endif()

@@ -1,0 +1,125 @@
+"""The installed Python package, seen from outside: python_import.py CASE, a function below."""
+
+import ctypes
+import sys
+
+
+def fail(message):
+    sys.exit("FAILED: " + message)
+
+
+def expect_import_error(words):
+    try:
+        import vtkshadow.headless
+    except ImportError as error:
+        if not all(word in str(error) for word in words):
+            fail("the ImportError does not say why: " + str(error))
+        return
+    fail("import vtkshadow.headless worked")
+
+
+def vtk_first():
+    import vtkmodules
+
+    expect_import_error(["before", "vtkmodules"])
+
+
+def no_osmesa():
+    load = ctypes.CDLL
+
+    def load_without_osmesa(name, *arguments, **settings):
+        if name is not None and "OSMesa" in name:
+            raise OSError(name + ": cannot open shared object file")
+        return load(name, *arguments, **settings)
+
+    ctypes.CDLL = load_without_osmesa
+    expect_import_error(["OSMesa", "not found"])
+
+
+def without_headless():
+    """The pass alone needs neither OSMesa nor a display."""
+    from vtkshadow import vtkShadowVolumePass
+
+    if vtkShadowVolumePass().GetShadowIntensity() != 1.0:
+        fail("a setting does not have its default")
+    try:
+        from vtkshadow import vtkHeadlessRenderWindow
+    except ImportError as error:
+        if "before" not in str(error):
+            fail("the ImportError does not say why: " + str(error))
+    else:
+        fail("the headless window came although VTK was there first")
+    try:
+        from vtkshadow import noSuchClass
+    except ImportError:
+        return
+    fail("a class was imported that is not there")
+
+
+def add(renderer, source):
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+
+
+def make_scene():
+    from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+    from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+
+    renderer = vtkRenderer()
+    ball = vtkSphereSource()
+    ball.SetCenter(0, 0, 1)
+    add(renderer, ball)
+    table = vtkPlaneSource()
+    table.SetOrigin(-2, -2, 0)
+    table.SetPoint1(2, -2, 0)
+    table.SetPoint2(-2, 2, 0)
+    add(renderer, table)
+    lamp = vtkLight()
+    lamp.SetPositional(True)
+    lamp.SetConeAngle(180)
+    lamp.SetPosition(1, 1, 4)
+    renderer.AddLight(lamp)
+    renderer.GetActiveCamera().SetPosition(0, -6, 4)
+    renderer.GetActiveCamera().SetViewUp(0, 0, 1)
+    renderer.ResetCamera()
+    return renderer
+
+
+def renders():
+    import vtkshadow.headless
+    from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkshadow import vtkHeadlessRenderWindow, vtkShadowVolumePass
+
+    renderer = make_scene()
+    shadows = vtkShadowVolumePass()
+    renderer.SetPass(shadows)
+    window = vtkHeadlessRenderWindow()
+    window.SetSize(160, 120)
+    window.AddRenderer(renderer)
+    window.Render()
+    if shadows.GetStatus() != vtkShadowVolumePass.STATUS_OK:
+        fail("status: " + shadows.GetStatusMessage())
+
+    mask = vtkImageData()
+    if not shadows.GetShadowMask(0, mask):
+        fail("no shadow mask")
+    values = mask.GetPointData().GetScalars()
+    dark = sum(values.GetValue(i) == 0 for i in range(values.GetNumberOfValues()))
+    if not 100 < dark < values.GetNumberOfValues() / 2:
+        fail("%d pixels are in shadow" % dark)
+
+    pixels = vtkUnsignedCharArray()
+    window.GetPixelData(0, 0, 159, 119, 0, pixels, 0)
+    colours = {pixels.GetTuple3(i) for i in range(pixels.GetNumberOfTuples())}
+    if len(colours) < 10:
+        fail("the picture has only %d colours" % len(colours))
+
+
+if __name__ == "__main__":
+    {case.__name__: case for case in (renders, vtk_first, no_osmesa, without_headless)}[sys.argv[1]]()
