@@ -53,6 +53,24 @@ void composeReachableBits(const SEDGeometry& geometry, const std::vector<Light>&
 void SEDVisitor::apply(SEDGeode& geode)
 {
   PathState& path = geode.getPathState(this->getPath());
+  if (this->stage == Stage::Face)
+  {
+    this->face(geode, path);
+    return;
+  }
+  for (const Light& light : this->lights)
+  {
+    PathLightState& state = path.lights[light.index];
+    const bool wanted = state.faced && state.plan.count != StencilCount::Skip;
+    if (wanted && !(state.extruded && state.extrudedPlan.hasFacesOf(state.plan)))
+    {
+      this->refreshVolume(geode.getGeometry(), state);
+    }
+  }
+}
+
+void SEDVisitor::face(SEDGeode& geode, PathState& path)
+{
   const SEDGeometry& geometry = geode.getGeometry();
   bool facingChanged = path.reachableRevision == 0;
   for (auto entry = path.lights.begin(); entry != path.lights.end();)
@@ -84,10 +102,6 @@ void SEDVisitor::apply(SEDGeode& geode)
       state.faced = true;
       state.extruded = false;
       facingChanged = true;
-    }
-    if (state.plan.count != StencilCount::Skip && !(state.extruded && state.extrudedPlan.hasFacesOf(state.plan)))
-    {
-      this->refreshVolume(geometry, state);
     }
   }
   if (facingChanged && path.inView)

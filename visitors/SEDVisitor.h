@@ -13,16 +13,25 @@
 namespace shadow
 {
 
-/// Has every SEDGeode build or refresh, for each light, the facing of its triangles and its shadow volume.
+/// Has every SEDGeode build or refresh, for each light, the facing of its triangles or its shadow volume.
 /// What belongs to an unchanged light, transform and plan is kept.
+///
+/// Two walks, so that the GL can work on the pre-pass, which needs the facing, while the CPU finds silhouettes.
 ///
 /// @pre  the CasterCuller has been here before
 /// @par Source  Shi 2006, chapter 4.2.2
 class SEDVisitor : public NodeVisitor
 {
 public:
-  SEDVisitor(const std::vector<Light>& theLights, const SilhouetteFinder& theFinder)
-    : lights(theLights)
+  enum class Stage
+  {
+    Face,   ///< which lights every triangle faces
+    Extrude ///< silhouettes and volumes; after Face
+  };
+
+  SEDVisitor(Stage theStage, const std::vector<Light>& theLights, const SilhouetteFinder& theFinder)
+    : stage(theStage)
+    , lights(theLights)
     , finder(theFinder)
   {
   }
@@ -36,8 +45,10 @@ public:
   const std::set<std::string>& getFlattened() const { return this->flattened; }
 
 private:
+  void face(SEDGeode& geode, PathState& path);
   void refreshVolume(const SEDGeometry& geometry, PathLightState& state);
 
+  Stage stage;
   const std::vector<Light>& lights;
   const SilhouetteFinder& finder;
   int rebuiltVolumes = 0;

@@ -60,13 +60,22 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   }
 
   Clock::time_point start = Clock::now();
-  this->update(view, lights, settings);
+  const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
+  this->face(view, lights, settings, *finder);
   this->statistics.silhouetteMilliseconds = millisecondsSince(start);
 
   start = Clock::now();
   bool drawn = this->drawPrePass(window, view);
   finishStage(settings.waitAfterStages);
   this->statistics.prePassMilliseconds = millisecondsSince(start);
+
+  start = Clock::now();
+  // The GL starts on the pre-pass while silhouettes are found.
+  glFlush();
+  SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder);
+  this->accept(extruder);
+  this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
+  this->statistics.silhouetteMilliseconds += millisecondsSince(start);
 
   start = Clock::now();
   for (const Light& light : lights)
@@ -83,7 +92,8 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   return drawn;
 }
 
-void ShadowVolumeEffect::update(const View& view, const std::vector<Light>& lights, const Settings& settings)
+void ShadowVolumeEffect::face(const View& view, const std::vector<Light>& lights, const Settings& settings,
+                              const SilhouetteFinder& finder)
 {
   SceneBoundsVisitor boundsVisitor(view);
   this->accept(boundsVisitor);
@@ -91,14 +101,12 @@ void ShadowVolumeEffect::update(const View& view, const std::vector<Light>& ligh
   this->chooseDepthRange(view, bounds);
   CasterCuller culler(view, lights, bounds, settings.stencilMethod);
   this->accept(culler);
-  const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
-  SEDVisitor builder(lights, *finder);
-  this->accept(builder);
+  SEDVisitor facer(SEDVisitor::Stage::Face, lights, finder);
+  this->accept(facer);
   this->statistics.casters = culler.getCasters();
   this->statistics.zFailCasters = culler.getZFailCasters();
   this->statistics.skipped = culler.getSkipped();
-  this->statistics.rebuiltVolumes = builder.getRebuiltVolumes();
-  for (const std::string& flattened : builder.getFlattened())
+  for (const std::string& flattened : facer.getFlattened())
   {
     this->statistics.skipped.insert({flattened, "its transform flattens it"});
   }

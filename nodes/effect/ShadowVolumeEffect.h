@@ -73,7 +73,8 @@ public:
   std::size_t getGraphicsMemorySize() const;
 
 private:
-  void update(const View& view, const std::vector<Light>& lights, const Settings& settings);
+  void face(const View& view, const std::vector<Light>& lights, const Settings& settings,
+            const SilhouetteFinder& finder);
   bool drawPrePass(vtkOpenGLRenderWindow* window, const View& view);
   bool drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light);
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
