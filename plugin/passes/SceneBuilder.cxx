@@ -7,22 +7,15 @@
 #include <vtkActor.h>
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
-#include <vtkClipPolyData.h>
-#include <vtkCompositeDataIterator.h>
-#include <vtkCompositeDataSet.h>
-#include <vtkDataSetMapper.h>
 #include <vtkFollower.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
-#include <vtkPlane.h>
-#include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include "MeshImport.h"
-#include "vtkShadowCompat.h"
 
 namespace shadow
 {
@@ -32,38 +25,10 @@ namespace
 
 FaceCulling faceCullingOf(vtkActor* actor)
 {
-  const bool back = actor->GetProperty()->GetBackfaceCulling() != 0;
+  // Where both are set, VTK culls the back.
   const bool front = actor->GetProperty()->GetFrontfaceCulling() != 0;
-  return back && front ? FaceCulling::Both
-                       : (back ? FaceCulling::Back : (front ? FaceCulling::Front : FaceCulling::None));
-}
-
-bool isBlockVisible(vtkMapper* mapper, vtkDataObject* block)
-{
-  auto* composite = vtkShadowCompositeMapper::SafeDownCast(mapper);
-  vtkCompositeDataDisplayAttributes* attributes =
-      composite != nullptr ? composite->GetCompositeDataDisplayAttributes() : nullptr;
-  return attributes == nullptr || !attributes->HasBlockVisibility(block) || attributes->GetBlockVisibility(block);
-}
-
-// The mapper that draws: a vtkDataSetMapper has one inside.
-vtkMapper* drawingMapper(vtkMapper* mapper)
-{
-  auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
-  return dataSetMapper != nullptr && dataSetMapper->GetPolyDataMapper() != nullptr
-             ? dataSetMapper->GetPolyDataMapper()
-             : mapper;
-}
-
-// Mappers that draw something else than the polygons they are given.
-bool drawsItsPolygons(vtkMapper* mapper)
-{
-  if (mapper->IsA("vtkGlyph3DMapper") || mapper->IsA("vtkPointGaussianMapper") ||
-      mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
-  {
-    return false;
-  }
-  return mapper->IsA("vtkPolyDataMapper") || vtkShadowCompositeMapper::SafeDownCast(mapper) != nullptr;
+  return actor->GetProperty()->GetBackfaceCulling() != 0 ? FaceCulling::Back
+                                                         : (front ? FaceCulling::Front : FaceCulling::None);
 }
 
 } // namespace
@@ -139,25 +104,22 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     this->skip(actor, "it turns with the camera");
     return;
   }
-  if (!drawsItsPolygons(drawingMapper(mapper)))
+  if (!DrawnSurfaces::areKnown(mapper))
   {
-    this->skip(actor, std::string("its mapper is a ") + drawingMapper(mapper)->GetClassName());
+    this->skip(actor, std::string("its mapper is a ") + mapper->GetClassName());
     return;
   }
 
-  auto& [transform, used] = this->transforms[path];
-  if (transform == nullptr)
-  {
-    transform = std::make_shared<Transform>();
-  }
-  used = true;
+  PlacedActor& placed = this->transforms[path];
+  placed.used = true;
+  const std::shared_ptr<Transform>& transform = placed.transform;
   transform->name = this->describe(actor);
   transform->faceCulling = faceCullingOf(actor);
   transform->casting = std::all_of(path.begin(), path.end(), settings.isCasting);
   // VTK stores row-major, GLM column-major.
   transform->matrix = glm::transpose(glm::make_mat4(assemblyPath->GetLastNode()->GetMatrix()->GetData()));
   transform->clearChildren();
-  for (vtkPolyData* polyData : this->collectData(actor, path, transform->matrix))
+  for (vtkPolyData* polyData : this->surfaces.collect(actor, path, transform->matrix))
   {
     if (const std::shared_ptr<SEDGeode> geode = this->getGeode(polyData, settings, transform->name))
     {
@@ -170,81 +132,6 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     root.addChild(transform);
     this->mirrored.insert(actor);
   }
-}
-
-std::vector<vtkPolyData*> SceneBuilder::collectData(vtkActor* actor, const PropPath& path,
-                                                    const glm::dmat4& modelToWorld)
-{
-  vtkMapper* mapper = drawingMapper(actor->GetMapper());
-  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  std::vector<vtkPolyData*> data;
-  if (auto* polyData = vtkPolyData::SafeDownCast(input))
-  {
-    data.push_back(polyData);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      auto* block = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
-      if (block != nullptr && isBlockVisible(mapper, block))
-      {
-        data.push_back(block);
-      }
-    }
-  }
-  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
-  if (planes != nullptr && planes->GetNumberOfItems() > 0)
-  {
-    std::transform(data.begin(), data.end(), data.begin(), [&](vtkPolyData* polyData) {
-      return this->clip(polyData, planes, path, modelToWorld);
-    });
-  }
-  return data;
-}
-
-// VTK clips in the shader, by planes in world space; a shadow needs the geometry that is left.
-vtkPolyData* SceneBuilder::clip(vtkPolyData* input, vtkPlaneCollection* planes, const PropPath& path,
-                                const glm::dmat4& modelToWorld)
-{
-  ClippedMesh& entry = this->clipped[{path, input}];
-  entry.used = true;
-  vtkMTimeType time = std::max(input->GetMTime(), planes->GetMTime());
-  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
-  {
-    time = std::max(time, planes->GetItem(i)->GetMTime());
-  }
-  if (entry.output != nullptr && entry.input == input && entry.time == time && entry.modelToWorld == modelToWorld)
-  {
-    return entry.output;
-  }
-  vtkSmartPointer<vtkPolyData> current = vtkSmartPointer<vtkPolyData>::New();
-  current->CopyStructure(input);
-  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
-  {
-    double* normal = planes->GetItem(i)->GetNormal();
-    double* origin = planes->GetItem(i)->GetOrigin();
-    const glm::dvec3 normalWC(normal[0], normal[1], normal[2]);
-    const glm::dvec3 originWC(origin[0], origin[1], origin[2]);
-    const glm::dvec4 planeMC = glm::dvec4(normalWC, -glm::dot(normalWC, originWC)) * modelToWorld;
-    const double length = glm::length(glm::dvec3(planeMC));
-    const glm::dvec3 normalMC = glm::dvec3(planeMC) / length;
-    const glm::dvec3 originMC = normalMC * (-planeMC.w / length);
-    vtkNew<vtkPlane> plane;
-    plane->SetNormal(normalMC.x, normalMC.y, normalMC.z);
-    plane->SetOrigin(originMC.x, originMC.y, originMC.z);
-    vtkNew<vtkClipPolyData> clipper;
-    clipper->SetInputData(current);
-    clipper->SetClipFunction(plane);
-    clipper->Update();
-    current = clipper->GetOutput();
-  }
-  entry.output = current;
-  entry.input = input;
-  entry.modelToWorld = modelToWorld;
-  entry.time = time;
-  return entry.output;
 }
 
 std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Settings& settings,
@@ -293,20 +180,9 @@ void SceneBuilder::skip(vtkProp* prop, const std::string& reason)
 
 void SceneBuilder::dropUnused()
 {
-  const auto sweep = [](auto& map, auto&& isUsed) {
-    for (auto entry = map.begin(); entry != map.end();)
-    {
-      bool& used = isUsed(entry->second);
-      entry = used ? std::next(entry) : map.erase(entry);
-    }
-    for (auto& entry : map)
-    {
-      isUsed(entry.second) = false;
-    }
-  };
-  sweep(this->meshes, [](Mesh& mesh) -> bool& { return mesh.used; });
-  sweep(this->clipped, [](ClippedMesh& mesh) -> bool& { return mesh.used; });
-  sweep(this->transforms, [](auto& entry) -> bool& { return entry.second; });
+  sweepUnused(this->meshes);
+  sweepUnused(this->transforms);
+  this->surfaces.dropUnused();
   for (auto& entry : this->meshes)
   {
     if (entry.second.geode != nullptr)

@@ -8,16 +8,15 @@
 #include <string>
 #include <vector>
 
-#include <vtkSmartPointer.h>
 #include <vtkType.h>
 #include <vtkWeakPointer.h>
 
 #include "CasterCuller.h"
+#include "DrawnSurfaces.h"
 #include "SEDGeode.h"
 
 class vtkActor;
 class vtkAssemblyPath;
-class vtkPlaneCollection;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -57,8 +56,6 @@ public:
   std::size_t getMemorySize() const;
 
 private:
-  using PropPath = std::vector<vtkProp*>;
-
   struct Mesh
   {
     vtkWeakPointer<vtkPolyData> polyData; ///< guards against another data set at the same address
@@ -68,29 +65,23 @@ private:
     std::string error;
     bool used = false;
   };
-  struct ClippedMesh
+  struct PlacedActor
   {
-    vtkSmartPointer<vtkPolyData> output;
-    vtkWeakPointer<vtkPolyData> input;
-    glm::dmat4 modelToWorld{1.0};
-    vtkMTimeType time = 0;
+    std::shared_ptr<Transform> transform = std::make_shared<Transform>();
     bool used = false;
   };
 
   void addProp(vtkProp* prop, const Settings& settings, Group& root);
   void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath, const Settings& settings,
                 Group& root);
-  std::vector<vtkPolyData*> collectData(vtkActor* actor, const PropPath& path, const glm::dmat4& modelToWorld);
-  vtkPolyData* clip(vtkPolyData* input, vtkPlaneCollection* planes, const PropPath& path,
-                    const glm::dmat4& modelToWorld);
   std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const Settings& settings, const std::string& name);
   std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
   void skip(vtkProp* prop, const std::string& reason);
   void dropUnused();
 
   std::map<vtkPolyData*, Mesh> meshes;
-  std::map<std::pair<PropPath, vtkPolyData*>, ClippedMesh> clipped;
-  std::map<PropPath, std::pair<std::shared_ptr<Transform>, bool>> transforms; ///< bool: used
+  DrawnSurfaces surfaces;
+  std::map<PropPath, PlacedActor> transforms;
   std::set<vtkProp*> mirrored;
   std::set<CasterCuller::Skipped> skipped;
   std::vector<std::string> errors;

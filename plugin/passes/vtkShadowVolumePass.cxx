@@ -112,6 +112,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   vtkOpenGLState* state = internals.Current->Window->GetState();
   const auto start = vtkInternals::Clock::now();
 
+  const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   hook.begin(state, *internals.Current->Effect, internals.Current->View);
   this->PreRender(s);
   if (this->Compositing == COMPOSITING_MASK)

@@ -1,0 +1,154 @@
+#include "DrawnSurfaces.h"
+
+#include <algorithm>
+
+#include <vtkActor.h>
+#include <vtkClipPolyData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkDataSet.h>
+#include <vtkMapper.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+
+#include "vtkShadowCompat.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+vtkCompositeDataDisplayAttributes* blockAttributes(vtkMapper* mapper)
+{
+  auto* composite = vtkShadowCompositeMapper::SafeDownCast(mapper);
+  return composite != nullptr ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+}
+
+// Visible leaves below a block. A block without a visibility of its own has its parent's.
+void collectBlocks(vtkDataObject* block, bool visible, vtkCompositeDataDisplayAttributes* attributes,
+                   std::vector<vtkPolyData*>& data)
+{
+  if (attributes != nullptr && attributes->HasBlockVisibility(block))
+  {
+    visible = attributes->GetBlockVisibility(block);
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
+  {
+    const auto children = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+    children->TraverseSubTreeOff();
+    children->VisitOnlyLeavesOff();
+    for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
+    {
+      collectBlocks(children->GetCurrentDataObject(), visible, attributes, data);
+    }
+  }
+  else if (auto* polyData = vtkPolyData::SafeDownCast(block); polyData != nullptr && visible)
+  {
+    data.push_back(polyData);
+  }
+}
+
+} // namespace
+
+bool DrawnSurfaces::areKnown(vtkMapper* mapper)
+{
+  if (mapper->IsA("vtkGlyph3DMapper") || mapper->IsA("vtkPointGaussianMapper") ||
+      mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
+  {
+    return false;
+  }
+  return mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") || vtkShadowCompositeMapper::SafeDownCast(mapper) != nullptr;
+}
+
+std::vector<vtkPolyData*> DrawnSurfaces::collect(vtkActor* actor, const PropPath& path, const glm::dmat4& modelToWorld)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  std::vector<vtkPolyData*> data;
+  if (auto* polyData = vtkPolyData::SafeDownCast(input))
+  {
+    data.push_back(polyData);
+  }
+  else if (vtkCompositeDataSet::SafeDownCast(input) != nullptr)
+  {
+    collectBlocks(input, true, blockAttributes(mapper), data);
+  }
+  else if (vtkDataSet::SafeDownCast(input) != nullptr)
+  {
+    data.push_back(this->extractSurface(mapper, input));
+  }
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  if (planes != nullptr && planes->GetNumberOfItems() > 0)
+  {
+    std::transform(data.begin(), data.end(), data.begin(), [&](vtkPolyData* polyData) {
+      return this->clip(polyData, planes, path, modelToWorld);
+    });
+  }
+  return data;
+}
+
+// As a vtkDataSetMapper does; its own filter is only there, and only up to date, once it has rendered.
+vtkPolyData* DrawnSurfaces::extractSurface(vtkMapper* mapper, vtkDataObject* input)
+{
+  Surface& surface = this->surfaces[mapper];
+  surface.used = true;
+  if (surface.filter->GetInputDataObject(0, 0) != input)
+  {
+    surface.filter->SetInputData(input);
+  }
+  surface.filter->Update();
+  return surface.filter->GetOutput();
+}
+
+// VTK clips in the shader, by planes in world space; a shadow needs the geometry that is left.
+vtkPolyData* DrawnSurfaces::clip(vtkPolyData* input, vtkPlaneCollection* planes, const PropPath& path,
+                                const glm::dmat4& modelToWorld)
+{
+  ClippedMesh& entry = this->clipped[{path, input}];
+  entry.used = true;
+  vtkMTimeType time = std::max(input->GetMTime(), planes->GetMTime());
+  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, planes->GetItem(i)->GetMTime());
+  }
+  if (entry.output != nullptr && entry.input == input && entry.time == time && entry.modelToWorld == modelToWorld)
+  {
+    return entry.output;
+  }
+  vtkSmartPointer<vtkPolyData> current = vtkSmartPointer<vtkPolyData>::New();
+  current->CopyStructure(input);
+  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+  {
+    double* normal = planes->GetItem(i)->GetNormal();
+    double* origin = planes->GetItem(i)->GetOrigin();
+    const glm::dvec3 normalWC(normal[0], normal[1], normal[2]);
+    const glm::dvec3 originWC(origin[0], origin[1], origin[2]);
+    const glm::dvec4 planeMC = glm::dvec4(normalWC, -glm::dot(normalWC, originWC)) * modelToWorld;
+    const double length = glm::length(glm::dvec3(planeMC));
+    const glm::dvec3 normalMC = glm::dvec3(planeMC) / length;
+    const glm::dvec3 originMC = normalMC * (-planeMC.w / length);
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(normalMC.x, normalMC.y, normalMC.z);
+    plane->SetOrigin(originMC.x, originMC.y, originMC.z);
+    vtkNew<vtkClipPolyData> clipper;
+    clipper->SetInputData(current);
+    clipper->SetClipFunction(plane);
+    clipper->Update();
+    current = clipper->GetOutput();
+  }
+  entry.output = current;
+  entry.input = input;
+  entry.modelToWorld = modelToWorld;
+  entry.time = time;
+  return entry.output;
+}
+
+void DrawnSurfaces::dropUnused()
+{
+  sweepUnused(this->surfaces);
+  sweepUnused(this->clipped);
+}
+
+} // namespace shadow
