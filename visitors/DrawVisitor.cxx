@@ -47,7 +47,17 @@ void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
   const bool mirrored = this->setMatrices(geode);
   glFrontFace(mirrored ? GL_CW : GL_CCW);
   SEDGeometryDrawable& drawable = this->pass.drawables->getGeometry(geode.getSharedGeometry());
-  drawable.draw(this->pass.program, this->pass.drawables->getReachableBits(path));
+  const ReachableBitsBuffer& reachableBits = this->pass.drawables->getReachableBits(path);
+  if (this->getFaceCulling() != FaceCulling::None)
+  {
+    // VTK calls back what is clockwise on the screen, mirrored or not.
+    const bool front = (this->getFaceCulling() == FaceCulling::Front) != mirrored;
+    drawable.drawCulled(this->pass.state, this->pass.program, reachableBits, front ? GL_FRONT : GL_BACK);
+  }
+  else
+  {
+    drawable.draw(this->pass.program, reachableBits);
+  }
   glFrontFace(GL_CCW);
   this->counts.geometry += geode.getGeometry().getTriangles().size();
 }
@@ -66,7 +76,8 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
     const ShadowVolume& volume = light.volumes[part];
     this->pass.makeRoom(volume.overlapBound);
     ShadowVolumeDrawable& drawable = this->pass.drawables->getVolume(light, part);
-    drawable.draw(this->pass.state, this->pass.program, geometry.getVolumeVertexBuffer(), count, mirrored);
+    drawable.draw(this->pass.state, this->pass.program, geometry.getVolumeVertexBuffer(), count,
+                  this->pass.reversedDepth, mirrored);
     this->counts.sides += volume.sides.size();
     this->counts.caps += volume.getTriangleCount() - volume.sides.size();
     this->counts.silhouetteEdges += volume.silhouetteEdges;

@@ -38,6 +38,7 @@ public:
     DrawableCache* drawables = nullptr;
     const View* view = nullptr;
     glm::dmat4 clipFromWC{1.0};                 ///< with the depth row of the shadow stages
+    bool reversedDepth = true;                  ///< see DepthRange
     std::function<void(std::size_t)> makeRoom; ///< called before a volume with its overlap bound
   };
 

@@ -1,6 +1,5 @@
 #include "GLStateScope.h"
 
-#include "Capabilities.h"
 #include "OpenGL.h"
 
 namespace shadow
@@ -30,7 +29,7 @@ void setEnabled(GLenum name, bool enabled)
 
 } // namespace
 
-GLStateScope::GLStateScope(vtkOpenGLState* vtkState)
+GLStateScope::GLStateScope(vtkOpenGLState* vtkState, bool hasClipControl)
   : state(vtkState)
   , viewport(vtkState)
   , scissor(vtkState)
@@ -53,7 +52,7 @@ GLStateScope::GLStateScope(vtkOpenGLState* vtkState)
   , logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE)
   , depthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE)
   , polygonOffset(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE)
-  , clipControl(queryCapabilities().clipControl)
+  , clipControl(hasClipControl)
 {
   glGetIntegerv(GL_POLYGON_MODE, this->polygonMode);
   if (this->clipControl)

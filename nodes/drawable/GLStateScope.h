@@ -10,7 +10,8 @@ namespace shadow
 class GLStateScope
 {
 public:
-  explicit GLStateScope(vtkOpenGLState* vtkState);
+  /// @param hasClipControl  see Capabilities
+  GLStateScope(vtkOpenGLState* vtkState, bool hasClipControl);
   ~GLStateScope();
   GLStateScope(const GLStateScope&) = delete;
   GLStateScope& operator=(const GLStateScope&) = delete;

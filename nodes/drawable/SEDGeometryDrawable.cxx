@@ -1,8 +1,10 @@
 #include "SEDGeometryDrawable.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
+#include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
 #include "OpenGL.h"
@@ -115,7 +117,7 @@ unsigned int SEDGeometryDrawable::getVolumeVertexBuffer()
   return this->volumeVertexBuffer;
 }
 
-void SEDGeometryDrawable::draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits)
+void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits)
 {
   glBindVertexArray(this->vertexArray);
   bindFloats(program, "vertexMC", this->vertexBuffer, 3);
@@ -128,7 +130,43 @@ void SEDGeometryDrawable::draw(vtkShaderProgram* program, const ReachableBitsBuf
     glVertexAttribIPointer(static_cast<GLuint>(bits), 2, GL_UNSIGNED_INT, sizeof(glm::uvec2), nullptr);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
   }
+}
+
+void SEDGeometryDrawable::draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits)
+{
+  this->bind(program, reachableBits);
   drawTriangles(0, this->triangles);
+  glBindVertexArray(0);
+}
+
+void SEDGeometryDrawable::sortByWinding()
+{
+  PrePassMesh mesh = giveTrianglesTheirOwnVertex(this->geometry);
+  const FacingBits& reversed = this->geometry.getInputReversed();
+  const auto firstReversed =
+      std::stable_partition(mesh.triangles.begin(), mesh.triangles.end(),
+                            [&](const std::array<std::uint32_t, 3>& corners) { return !reversed.test(corners[2]); });
+  this->unreversedTriangles = static_cast<std::size_t>(firstReversed - mesh.triangles.begin());
+  glGenBuffers(1, &this->sortedIndexBuffer);
+  this->bytes += uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer, mesh.triangles, GL_STATIC_DRAW);
+}
+
+void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, vtkShaderProgram* program,
+                                     const ReachableBitsBuffer& reachableBits, unsigned int hiddenSide)
+{
+  this->bind(program, reachableBits);
+  if (this->sortedIndexBuffer == 0)
+  {
+    this->sortByWinding();
+  }
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer);
+  state->vtkglEnable(GL_CULL_FACE);
+  state->vtkglCullFace(hiddenSide);
+  drawTriangles(0, this->unreversedTriangles);
+  state->vtkglCullFace(hiddenSide == GL_FRONT ? GL_BACK : GL_FRONT);
+  drawTriangles(this->unreversedTriangles, this->triangles - this->unreversedTriangles);
+  state->vtkglDisable(GL_CULL_FACE);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
   glBindVertexArray(0);
 }
 
@@ -140,8 +178,10 @@ void SEDGeometryDrawable::release(bool contextLost)
     glDeleteBuffers(1, &this->vertexBuffer);
     glDeleteBuffers(1, &this->indexBuffer);
     glDeleteBuffers(1, &this->volumeVertexBuffer);
+    glDeleteBuffers(1, &this->sortedIndexBuffer);
   }
   this->vertexArray = this->vertexBuffer = this->indexBuffer = this->volumeVertexBuffer = 0;
+  this->sortedIndexBuffer = 0;
 }
 
 } // namespace shadow

@@ -55,6 +55,10 @@ public:
   /// Draws all triangles with the current pre-pass program. @pre the last vertex provokes
   void draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits);
 
+  /// The same without one side of each triangle. @param hiddenSide  GL_FRONT or GL_BACK, by the input's winding
+  void drawCulled(vtkOpenGLState* state, vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits,
+                  unsigned int hiddenSide);
+
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost);
 
@@ -63,11 +67,16 @@ public:
   bool used = false; ///< since the cache was swept last
 
 private:
+  void bind(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits);
+  void sortByWinding();
+
   const SEDGeometry& geometry;
   unsigned int vertexArray = 0;
   unsigned int vertexBuffer = 0;
   unsigned int indexBuffer = 0;
   unsigned int volumeVertexBuffer = 0;
+  unsigned int sortedIndexBuffer = 0; ///< triangles whose raster order is the input's come first
+  std::size_t unreversedTriangles = 0; ///< these
   std::size_t triangles = 0;
   std::size_t bytes = 0;
 };

@@ -38,9 +38,10 @@ void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
     glGenVertexArrays(1, &this->vertexArray);
     glGenBuffers(1, &this->indexBuffer);
   }
-  this->outwardTriangles = volume.sides.size() + volume.lightCap.size() + volume.darkCap.size();
+  this->sideTriangles = volume.sides.size();
+  this->outwardTriangles = volume.lightCap.size() + volume.darkCap.size();
   this->inwardTriangles = volume.lightCapReversed.size();
-  this->bytes = (this->outwardTriangles + this->inwardTriangles) * sizeof(ShadowVolume::Triangle);
+  this->bytes = volume.getTriangleCount() * sizeof(ShadowVolume::Triangle);
 
   glBindVertexArray(this->vertexArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
@@ -59,19 +60,29 @@ void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
 }
 
 void ShadowVolumeDrawable::draw(vtkOpenGLState* state, vtkShaderProgram* program, unsigned int vertexBuffer,
-                                StencilCount count, bool mirrored)
+                                StencilCount count, bool reversedDepth, bool mirrored)
 {
   glBindVertexArray(this->vertexArray);
   bindFloats(program, "vertexMC", vertexBuffer, 4);
+  setStencilOperations(state, count, !mirrored);
+  if (this->sideTriangles > 0)
+  {
+    // Relative to the distance, and so the same number of units everywhere.
+    constexpr float rounding = 1.2e-7f; // two units in the last place
+    const float bias[2] = {1.0f - rounding, reversedDepth ? 0.0f : rounding};
+    program->SetUniform2f("depthBias", bias);
+    drawTriangles(0, this->sideTriangles);
+  }
+  const float unbiased[2] = {1.0f, 0.0f};
+  program->SetUniform2f("depthBias", unbiased);
   if (this->outwardTriangles > 0)
   {
-    setStencilOperations(state, count, !mirrored);
-    drawTriangles(0, this->outwardTriangles);
+    drawTriangles(this->sideTriangles, this->outwardTriangles);
   }
   if (this->inwardTriangles > 0)
   {
     setStencilOperations(state, count, mirrored);
-    drawTriangles(this->outwardTriangles, this->inwardTriangles);
+    drawTriangles(this->sideTriangles + this->outwardTriangles, this->inwardTriangles);
   }
   glBindVertexArray(0);
 }

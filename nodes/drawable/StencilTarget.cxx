@@ -39,7 +39,8 @@ unsigned int StencilTarget::makeTexture(unsigned int internalFormat, unsigned in
   return texture;
 }
 
-bool StencilTarget::allocate(int newWidth, int newHeight, int newSamples, std::string& error)
+bool StencilTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newSamples,
+                             std::string& error)
 {
   if (this->framebuffer != 0 && newWidth == this->width && newHeight == this->height && newSamples == this->samples)
   {
@@ -54,7 +55,7 @@ bool StencilTarget::allocate(int newWidth, int newHeight, int newSamples, std::s
       this->makeTexture(GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV);
   glGenVertexArrays(1, &this->emptyVertexArray);
   glGenFramebuffers(1, &this->framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->getTextureTarget(), this->maskTexture, 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, this->getTextureTarget(), this->depthTexture, 0);
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
@@ -141,7 +142,8 @@ std::vector<unsigned char> StencilTarget::readMask(vtkOpenGLRenderWindow* window
 
 void StencilTarget::readResolved(vtkOpenGLRenderWindow* window, int light, std::vector<unsigned char>& mask)
 {
-  const GLStateScope scope(window->GetState());
+  // The clip volume does not matter here, and is not changed.
+  const GLStateScope scope(window->GetState(), false);
   GLuint share = 0;
   GLuint resolveBuffer = 0;
   glGenRenderbuffers(1, &share);

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "Capabilities.h"
-
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 
@@ -25,7 +23,7 @@ public:
 
   /// Makes the target this large; does nothing when it is.
   /// @return false with a line in @p error when the GL refuses
-  bool allocate(int width, int height, int samples, std::string& error);
+  bool allocate(vtkOpenGLState* state, int width, int height, int samples, std::string& error);
 
   /// Binds the target, sets the viewport and clears: mask all reached, depth farthest, stencil 0.
   void begin(vtkOpenGLState* state, bool reversedDepth);

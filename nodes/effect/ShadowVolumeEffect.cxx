@@ -52,11 +52,17 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
     error = this->capabilities.missing;
     return false;
   }
-  const GLStateScope scope(window->GetState());
+  const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
   const int samples = std::min(settings.samples, this->capabilities.maximumSamples);
-  if (!this->target.allocate(view.width, view.height, samples, error))
+  if (!this->target.allocate(window->GetState(), view.width, view.height, samples, error))
   {
     return false;
+  }
+
+  if (lights.empty())
+  {
+    this->target.begin(window->GetState(), this->capabilities.clipControl);
+    return true;
   }
 
   Clock::time_point start = Clock::now();
@@ -153,6 +159,8 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
   {
     return false;
   }
+  const float unbiased[2] = {1.0f, 0.0f};
+  program->SetUniform2f("depthBias", unbiased);
   SVStateVisitor geometryMode(RenderMode{RenderMode::What::Geometry});
   this->accept(geometryMode);
   DrawVisitor::Pass pass;
@@ -208,6 +216,7 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     pass.drawables = &this->drawables;
     pass.view = &view;
     pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
+    pass.reversedDepth = this->depthRange.reversed;
     pass.makeRoom = [&](std::size_t bound) {
       if (counted + bound > countable && counted > 0)
       {

@@ -95,6 +95,9 @@ public:
   /// Bit t set: the oriented triangle t runs against its raster order.
   const FacingBits& getReversed() const { return this->reversed; }
 
+  /// Bit t set: triangle t ran against its raster order in the input, which is what face culling goes by.
+  const FacingBits& getInputReversed() const { return this->inputReversed; }
+
   /// Plane of each oriented triangle.
   const std::vector<TrianglePlane>& getPlanes() const { return this->planes; }
 
@@ -127,6 +130,7 @@ private:
   std::vector<glm::vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   FacingBits reversed;
+  FacingBits inputReversed;
   std::vector<TrianglePlane> planes;
   std::vector<PlaneError> planeErrors;
   std::vector<Edge> edges;

@@ -33,6 +33,17 @@ bool comesBefore(const glm::vec3& a, const glm::vec3& b)
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
+/// The point nearest to the mesh's centre of a grid whose cells are as large as the mesh is wide. Grid points have so
+/// few digits that taking one away from a coordinate rounds nothing, and a mesh around 0 stays where it is:
+/// coordinates in single precision, as VTK's mostly are, keep every bit, and a light in a triangle's plane stays in
+/// it.
+glm::dvec3 onGrid(const glm::dvec3& centre, const glm::dvec3& size)
+{
+  const double widest = std::max({size.x, size.y, size.z});
+  const double cell = std::exp2(std::ceil(std::log2(widest)));
+  return widest > 0.0 && std::isfinite(cell) ? glm::round(centre / cell) * cell : centre;
+}
+
 template <typename T>
 void release(std::vector<T>& values)
 {
@@ -90,7 +101,7 @@ bool SEDGeometryBuilder::findUsedPoints(const TriangleSoup& soup, std::string& e
   return true;
 }
 
-/// The origin is the centre of the points in use: a stray point that no triangle uses must not cost
+/// The origin is near the centre of the points in use: a stray point that no triangle uses must not cost
 /// precision.
 bool SEDGeometryBuilder::chooseOrigin(const TriangleSoup& soup, std::string& error)
 {
@@ -110,7 +121,7 @@ bool SEDGeometryBuilder::chooseOrigin(const TriangleSoup& soup, std::string& err
     }
   }
   // Halved before they are added: the sum of two large coordinates may overflow.
-  this->geometry.origin = 0.5 * lower + 0.5 * upper;
+  this->geometry.origin = onGrid(0.5 * lower + 0.5 * upper, upper - lower);
   const glm::dvec3 reach = glm::max(upper - this->geometry.origin, this->geometry.origin - lower);
   if (!isFinite(glm::dvec3(glm::vec3(reach))))
   {
@@ -211,6 +222,7 @@ void SEDGeometryBuilder::computePlanes()
   const auto count = static_cast<std::uint32_t>(this->geometry.triangles.size());
   this->geometry.planes.resize(count);
   this->geometry.reversed.assign(count);
+  this->geometry.inputReversed.assign(count);
   this->geometry.planeErrors.resize((count + 63) / 64);
   for (std::uint32_t block = 0; block < this->geometry.planeErrors.size(); ++block)
   {
@@ -267,6 +279,10 @@ void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle, double& planeSca
   {
     normal = -normal;
     this->geometry.reversed.set(triangle);
+  }
+  if (odd != (this->flipped[triangle] != 0))
+  {
+    this->geometry.inputReversed.set(triangle);
   }
   this->geometry.planes[triangle] = {normal, -glm::dot(normal, nearest)};
 }

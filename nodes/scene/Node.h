@@ -16,8 +16,7 @@ enum class FaceCulling
 {
   None,
   Back,
-  Front,
-  Both
+  Front
 };
 
 /// A part of the scene graph. Nodes may have several parents; what depends on the way down to a node is kept by path.

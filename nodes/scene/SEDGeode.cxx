@@ -86,16 +86,24 @@ std::uint64_t nextRevision()
   return ++last;
 }
 
-std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld, const glm::dvec3& origin)
+bool isInvertible(const glm::dmat4& modelToWorld)
 {
   // Scale-free test: a matrix of tiny or huge scale is fine, one that flattens is not.
   const glm::dmat3 linear(modelToWorld);
   const double scale = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
   const double determinant = glm::determinant(linear);
-  if (!std::isfinite(determinant) || std::abs(determinant) <= 1e-14 * scale || determinant == 0.0)
+  const glm::dvec3 translation(modelToWorld[3]);
+  return std::isfinite(determinant) && std::abs(determinant) > 1e-14 * scale && determinant != 0.0 &&
+         std::isfinite(translation.x + translation.y + translation.z);
+}
+
+std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld, const glm::dvec3& origin)
+{
+  if (!isInvertible(modelToWorld))
   {
     return std::nullopt;
   }
+  const glm::dmat3 linear(modelToWorld);
   const glm::dmat3 inverse = glm::inverse(linear);
   const glm::dvec3 translation(modelToWorld[3]);
   const glm::dvec3 position(light.positionWC);

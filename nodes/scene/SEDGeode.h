@@ -123,6 +123,9 @@ std::array<glm::dvec3, 8> worldCorners(const SEDGeometry& geometry, const glm::d
 /// A number that has not been handed out before; for PathLightState::revision.
 std::uint64_t nextRevision();
 
+/// False for a matrix that flattens, or that is not finite.
+bool isInvertible(const glm::dmat4& modelToWorld);
+
 /// A light as a geometry under @p modelToWorld sees it, relative to the geometry's origin.
 /// Nothing when the matrix cannot be inverted.
 std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld, const glm::dvec3& origin);

@@ -118,6 +118,13 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   transform->casting = std::all_of(path.begin(), path.end(), settings.isCasting);
   // VTK stores row-major, GLM column-major.
   transform->matrix = glm::transpose(glm::make_mat4(assemblyPath->GetLastNode()->GetMatrix()->GetData()));
+  if (!isInvertible(transform->matrix))
+  {
+    const std::string reason = "its transform flattens it or is not finite";
+    this->skip(actor, reason);
+    this->errors.push_back(transform->name + " has no shadow: " + reason);
+    return;
+  }
   transform->clearChildren();
   for (vtkPolyData* polyData : this->surfaces.collect(actor, path, transform->matrix))
   {

@@ -43,11 +43,28 @@ vtkShadowVolumePass::vtkInternals::RendererState::~RendererState()
 //------------------------------------------------------------------------------
 void vtkShadowVolumePass::vtkInternals::RendererState::Release()
 {
-  if (this->Window != nullptr)
+  const bool contextLost = this->Window == nullptr || this->Sentinel->GetHandle() == 0;
+  if (!contextLost)
   {
     this->Window->MakeCurrent();
   }
-  this->Effect->release(this->Window == nullptr);
+  this->Effect->release(contextLost);
+  if (!contextLost)
+  {
+    this->Sentinel->ReleaseGraphicsResources(this->Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
+{
+  this->Window->MakeCurrent();
+  if (this->Sentinel->GetHandle() == 0)
+  {
+    this->Effect->release(true);
+    this->Sentinel->SetContext(this->Window);
+    this->Sentinel->Allocate2D(1, 1, 4, VTK_UNSIGNED_CHAR);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -64,8 +81,8 @@ vtkShadowVolumePass::vtkInternals::RendererState& vtkShadowVolumePass::vtkIntern
     state = std::make_unique<RendererState>();
     state->Renderer = renderer;
     state->Window = window;
-    window->MakeCurrent();
   }
+  state->Acquire();
   return *state;
 }
 

@@ -15,6 +15,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkOverlayPass.h>
+#include <vtkTextureObject.h>
 #include <vtkTimeStamp.h>
 #include <vtkTranslucentPass.h>
 #include <vtkVolumetricPass.h>
@@ -44,8 +45,14 @@ public:
     shadow::SceneBuilder Builder;
     std::shared_ptr<shadow::ShadowVolumeEffect> Effect = std::make_shared<shadow::ShadowVolumeEffect>();
     shadow::View View;
+    /// One texel that VTK frees with the window's context: tells whether our own GL objects are still there, also
+    /// when the pass has been detached and nobody tells it.
+    vtkNew<vtkTextureObject> Sentinel;
 
     ~RendererState();
+
+    /// @post the context is current, and GL objects of a context that is gone are forgotten
+    void Acquire();
     void Release();
   };
 

@@ -13,7 +13,8 @@ struct HardCase
   const char* name;
   void (*build)(HardScene& scene);
 
-  /// Z-pass counts between the eye and the surface only, so it is wrong where the near plane is in a shadow volume.
+  /// Z-pass counts between the eye and the surface only, so it is wrong where the near plane is in a shadow
+  /// volume.
   bool zPassIsRight = true;
 
   /// Whether some pixels have to be lit and some in shadow, so that an empty mask cannot pass.
@@ -23,10 +24,12 @@ struct HardCase
   const char* refusal = nullptr;
 };
 
-std::vector<HardCase> lightCases();
+std::vector<HardCase> lightAtMeshCases();
+std::vector<HardCase> lightInViewCases();
 std::vector<HardCase> cameraCases();
 std::vector<HardCase> viewCases();
 std::vector<HardCase> meshCases();
+std::vector<HardCase> coincidentCases();
 std::vector<HardCase> numberCases();
 std::vector<HardCase> overlapCases();
 std::vector<HardCase> badInputCases();

@@ -7,7 +7,7 @@
 namespace shadow::robustness
 {
 
-vtkActor* HardScene::addMesh(const test::TriangleSoup& soup)
+vtkActor* HardScene::addMesh(const TriangleSoup& soup)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -57,7 +57,7 @@ void HardScene::look(const glm::dvec3& eye, const glm::dvec3& focus, double angl
   this->renderer->ResetCameraClippingRange();
 }
 
-test::TriangleSoup upright(test::TriangleSoup soup)
+TriangleSoup upright(TriangleSoup soup)
 {
   for (glm::dvec3& point : soup.points)
   {
@@ -66,7 +66,7 @@ test::TriangleSoup upright(test::TriangleSoup soup)
   return soup;
 }
 
-test::TriangleSoup moved(test::TriangleSoup soup, const glm::dvec3& by)
+TriangleSoup moved(TriangleSoup soup, const glm::dvec3& by)
 {
   for (glm::dvec3& point : soup.points)
   {
@@ -75,7 +75,7 @@ test::TriangleSoup moved(test::TriangleSoup soup, const glm::dvec3& by)
   return soup;
 }
 
-test::TriangleSoup scaled(test::TriangleSoup soup, double by)
+TriangleSoup scaled(TriangleSoup soup, double by)
 {
   for (glm::dvec3& point : soup.points)
   {
@@ -84,20 +84,19 @@ test::TriangleSoup scaled(test::TriangleSoup soup, double by)
   return soup;
 }
 
-test::TriangleSoup makeQuad(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v)
+TriangleSoup makeQuad(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v)
 {
-  test::TriangleSoup soup;
+  TriangleSoup soup;
   soup.points = {corner, corner + u, corner + u + v, corner + v};
   soup.triangles = {{0, 1, 2}, {0, 2, 3}};
   return soup;
 }
 
-test::TriangleSoup makeGrid(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int cells)
+TriangleSoup makeGrid(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int cells)
 {
-  test::TriangleSoup soup;
-  const auto at = [&](int i, int j) {
-    return corner + (static_cast<double>(i) / cells) * u + (static_cast<double>(j) / cells) * v;
-  };
+  TriangleSoup soup;
+  const auto at = [&](int i, int j)
+  { return corner + (static_cast<double>(i) / cells) * u + (static_cast<double>(j) / cells) * v; };
   for (int i = 0; i < cells; ++i)
   {
     for (int j = 0; j < cells; ++j)
@@ -111,13 +110,13 @@ test::TriangleSoup makeGrid(const glm::dvec3& corner, const glm::dvec3& u, const
   return soup;
 }
 
-test::TriangleSoup makeGridCube(const glm::dvec3& centre, double size, int cells)
+TriangleSoup makeGridCube(const glm::dvec3& centre, double size, int cells)
 {
   const double h = 0.5 * size;
   const glm::dvec3 x(size, 0.0, 0.0), y(0.0, size, 0.0), z(0.0, 0.0, size);
   const glm::dvec3 low = centre - glm::dvec3(h);
   const glm::dvec3 high = centre + glm::dvec3(h);
-  test::TriangleSoup soup = makeGrid(low, y, x, cells);
+  TriangleSoup soup = makeGrid(low, y, x, cells);
   test::append(soup, makeGrid(low, x, z, cells));
   test::append(soup, makeGrid(low, z, y, cells));
   test::append(soup, makeGrid(high, -x, -y, cells));
@@ -126,10 +125,10 @@ test::TriangleSoup makeGridCube(const glm::dvec3& centre, double size, int cells
   return soup;
 }
 
-test::TriangleSoup makeDome(double radius, std::uint32_t slices)
+TriangleSoup makeDome(double radius, std::uint32_t slices)
 {
-  test::TriangleSoup sphere = upright(test::makeSphere(radius, slices, slices));
-  test::TriangleSoup dome;
+  TriangleSoup sphere = upright(test::makeSphere(radius, slices, slices));
+  TriangleSoup dome;
   dome.points = sphere.points;
   for (const auto& corners : sphere.triangles)
   {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -17,7 +18,7 @@ public:
   HardScene() : ShadowScene(400, 300) {}
 
   /// An actor for a mesh in double precision.
-  vtkActor* addMesh(const test::TriangleSoup& soup);
+  vtkActor* addMesh(const TriangleSoup& soup);
 
   /// A closed cube that stands on the floor.
   vtkActor* addCube(const glm::dvec3& footMC, double size = 1.0);
@@ -37,26 +38,31 @@ public:
   /// look() from where most cases are seen: the ground in front, somewhat from above.
   void lookAtGround() { this->look({2.5, 4.0, 6.5}, {0.0, 0.4, 0.0}); }
 
-  /// Actors that the pass has to refuse: it says so, and draws the shadows of the others as if they were not there.
+  /// Actors that the pass has to refuse: it says so, and draws the shadows of the others as if they were not
+  /// there.
   std::vector<vtkActor*> refused;
+
+  /// Lights that the pass has to refuse, by their index among those that are switched on: their masks are all
+  /// lit.
+  std::set<int> refusedLights;
 };
 
 /// The same mesh turned from z up to y up; exact.
-test::TriangleSoup upright(test::TriangleSoup soup);
+TriangleSoup upright(TriangleSoup soup);
 
-test::TriangleSoup moved(test::TriangleSoup soup, const glm::dvec3& by);
-test::TriangleSoup scaled(test::TriangleSoup soup, double by);
+TriangleSoup moved(TriangleSoup soup, const glm::dvec3& by);
+TriangleSoup scaled(TriangleSoup soup, double by);
 
 /// Two triangles, corner to corner + u + v.
-test::TriangleSoup makeQuad(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v);
+TriangleSoup makeQuad(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v);
 
 /// A quad in cells x cells parts of two triangles each; neighbours share no points.
-test::TriangleSoup makeGrid(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int cells);
+TriangleSoup makeGrid(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int cells);
 
 /// A closed cube whose faces are grids.
-test::TriangleSoup makeGridCube(const glm::dvec3& centre, double size, int cells);
+TriangleSoup makeGridCube(const glm::dvec3& centre, double size, int cells);
 
 /// The upper half of a sphere around the origin, y up, open below.
-test::TriangleSoup makeDome(double radius, std::uint32_t slices);
+TriangleSoup makeDome(double radius, std::uint32_t slices);
 
 } // namespace shadow::robustness

@@ -22,20 +22,126 @@ void PrintTo(const HardCase& hardCase, std::ostream* os)
 namespace
 {
 
-/// The truth of a scene in which there are no actors that the pass has to refuse.
-truth::SceneTruth makeTruthWithoutRefused(HardScene& scene, int light)
+/// Hides the actors that the pass has to refuse, from the truth.
+class WithoutRefused
 {
-  for (vtkActor* actor : scene.refused)
+public:
+  explicit WithoutRefused(const HardScene& theScene) : scene(theScene) { this->setVisible(false); }
+  ~WithoutRefused() { this->setVisible(true); }
+
+private:
+  void setVisible(bool visible) const
   {
-    actor->VisibilityOff();
+    for (vtkActor* actor : this->scene.refused)
+    {
+      actor->SetVisibility(visible);
+    }
   }
-  truth::SceneTruth truth = scene.makeTruth(light);
-  for (vtkActor* actor : scene.refused)
+
+  const HardScene& scene;
+};
+
+truth::SceneTruth makeTruth(HardScene& scene, int light)
+{
+  const WithoutRefused hidden(scene);
+  return scene.makeTruth(light);
+}
+
+/// Whether there is enough of both for a wrong mask to be noticed.
+void expectLightAndShadow(const truth::SceneTruth& truth)
+{
+  const std::vector<unsigned char>& mask = truth.mask().mask();
+  const auto dark = std::count(mask.begin(), mask.end(), static_cast<unsigned char>(0));
+  EXPECT_GE(dark, 100) << "the scene shows no shadow";
+  EXPECT_GE(static_cast<std::ptrdiff_t>(mask.size()) - dark, 100) << "the scene shows nothing that is lit";
+}
+
+void expectStatus(HardScene& scene, const char* refusal)
+{
+  if (refusal == nullptr)
   {
-    actor->VisibilityOn();
+    EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK) << scene.pass->GetStatusMessage();
+    return;
   }
-  return truth;
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_PARTIAL);
+  EXPECT_NE(scene.pass->GetStatusMessage().find(refusal), std::string::npos)
+      << "'" << scene.pass->GetStatusMessage() << "' does not say '" << refusal << "'";
+}
+
+void expectAllLit(HardScene& scene, int light)
+{
+  const std::vector<unsigned char> mask = scene.renderMask(light);
+  EXPECT_EQ(std::count(mask.begin(), mask.end(), static_cast<unsigned char>(255)),
+            static_cast<std::ptrdiff_t>(mask.size()))
+      << "refused light " << light << " has a shadow";
+}
+
+/// One light, by every silhouette method and every stencil method that can be right.
+void expectTrueLight(HardScene& scene, const HardCase& hardCase, int light)
+{
+  const truth::SceneTruth truth = makeTruth(scene, light);
+  if (hardCase.isMixed)
+  {
+    expectLightAndShadow(truth);
+  }
+  for (int silhouette = vtkShadowVolumePass::SILHOUETTE_BRUTE_FORCE;
+       silhouette <= scene.pass->GetSilhouetteMethodMaxValue(); ++silhouette)
+  {
+    scene.pass->SetSilhouetteMethod(silhouette);
+    for (const int stencil : {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL,
+                              vtkShadowVolumePass::STENCIL_AUTO})
+    {
+      if (stencil == vtkShadowVolumePass::STENCIL_ZPASS && !hardCase.zPassIsRight)
+      {
+        continue;
+      }
+      scene.pass->SetStencilMethod(stencil);
+      truth::expectTrueMask(scene, truth,
+                            "Light" + std::to_string(light) + "Silhouette" + std::to_string(silhouette) +
+                                truth::nameOfStencilMethod(stencil),
+                            light);
+      expectStatus(scene, hardCase.refusal);
+    }
+  }
+}
+
+std::vector<HardCase> allCases()
+{
+  std::vector<HardCase> cases;
+  for (const auto& some : {lightAtMeshCases(), lightInViewCases(), cameraCases(), viewCases(), meshCases(),
+                           coincidentCases(), numberCases(), overlapCases(), badInputCases()})
+  {
+    cases.insert(cases.end(), some.begin(), some.end());
+  }
+  return cases;
 }
 
 } // namespace
+
+class HardCases : public testing::TestWithParam<HardCase>
+{
+};
+
+TEST_P(HardCases, EveryMethodIsRightOrRefuses)
+{
+  HardScene scene;
+  GetParam().build(scene);
+  scene.window->Render();
+  const auto lights = static_cast<int>(truth::lightsFromRenderer(scene.renderer).size());
+  for (int light = 0; light < lights; ++light)
+  {
+    if (scene.refusedLights.count(light) != 0)
+    {
+      expectAllLit(scene, light);
+    }
+    else
+    {
+      expectTrueLight(scene, GetParam(), light);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, HardCases, testing::ValuesIn(allCases()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
 } // namespace shadow::robustness

@@ -20,15 +20,18 @@ inline const char* nameOfStencilMethod(int method)
                                                         : "Auto";
 }
 
-/// Renders, and expects the mask of a light to be true. The figure is printed and recorded as a property of the test.
+/// Renders, and expects the mask of a light to be true. The figure is printed and recorded as a property of
+/// the test.
 ///
 /// @param what  tells this rendering from others in the test
-inline void expectTrueMask(ShadowScene& scene, const SceneTruth& truth, const std::string& what, int light = 0)
+inline void expectTrueMask(ShadowScene& scene, const SceneTruth& truth, const std::string& what,
+                           int light = 0)
 {
   const MaskError error = scene.compare(truth, light);
-  std::printf("%-24s %7.2f wrong certain pixels per million (%zu of %zu)\n", what.c_str(), error.wrongCertainPerMillion,
-              error.wrongCertain, error.pixels);
-  testing::Test::RecordProperty(what + "WrongCertainPerMillion", std::to_string(error.wrongCertainPerMillion));
+  std::printf("%-24s %7.2f wrong certain pixels per million (%zu of %zu)\n", what.c_str(),
+              error.wrongCertainPerMillion, error.wrongCertain, error.pixels);
+  testing::Test::RecordProperty(what + "WrongCertainPerMillion",
+                                std::to_string(error.wrongCertainPerMillion));
   EXPECT_LE(error.wrongCertainPerMillion, wrongPerMillionLimit)
       << what << ", first at pixel "
       << (error.firstWrongPixels.empty() ? std::string("none")
@@ -41,8 +44,8 @@ inline void expectTrueMaskByEveryStencilMethod(ShadowScene& scene, int light = 0
 {
   scene.window->Render();
   const SceneTruth truth = scene.makeTruth(light);
-  for (const int method :
-       {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL, vtkShadowVolumePass::STENCIL_AUTO})
+  for (const int method : {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL,
+                           vtkShadowVolumePass::STENCIL_AUTO})
   {
     scene.pass->SetStencilMethod(method);
     expectTrueMask(scene, truth, nameOfStencilMethod(method), light);

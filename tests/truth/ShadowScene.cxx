@@ -95,7 +95,8 @@ void ShadowScene::lookFrom(double dx, double dy, double dz, double distance)
   const glm::dvec3 lower(bounds[0], bounds[2], bounds[4]);
   const glm::dvec3 upper(bounds[1], bounds[3], bounds[5]);
   const glm::dvec3 centre = 0.5 * (lower + upper);
-  const glm::dvec3 eye = centre + distance * glm::distance(lower, upper) * glm::normalize(glm::dvec3(dx, dy, dz));
+  const glm::dvec3 eye =
+      centre + distance * glm::distance(lower, upper) * glm::normalize(glm::dvec3(dx, dy, dz));
   vtkCamera* camera = this->renderer->GetActiveCamera();
   camera->SetFocalPoint(centre.x, centre.y, centre.z);
   camera->SetPosition(eye.x, eye.y, eye.z);
@@ -138,9 +139,10 @@ MaskError ShadowScene::compare(const SceneTruth& truth, int light, bool full)
 
 SceneTruth ShadowScene::makeTruth(int light)
 {
-  return SceneTruth(sceneFromRenderer(this->renderer, [this](vtkProp* prop) { return this->pass->GetCasting(prop); }),
-                    viewFromRenderer(this->renderer),
-                    lightsFromRenderer(this->renderer).at(static_cast<std::size_t>(light)).light);
+  return SceneTruth(
+      sceneFromRenderer(this->renderer, [this](vtkProp* prop) { return this->pass->GetCasting(prop); }),
+      viewFromRenderer(this->renderer),
+      lightsFromRenderer(this->renderer).at(static_cast<std::size_t>(light)).light);
 }
 
 } // namespace shadow::truth

@@ -24,8 +24,7 @@ namespace
 class Solids : public ShadowScene
 {
 public:
-  Solids()
-    : ShadowScene(640, 480)
+  Solids() : ShadowScene(640, 480)
   {
     vtkNew<vtkSphereSource> sphere;
     sphere->SetThetaResolution(48);
@@ -62,7 +61,10 @@ struct LightCase
 };
 
 // For GoogleTest, which would print its bytes.
-void PrintTo(const LightCase& lightCase, std::ostream* os) { *os << lightCase.name; }
+void PrintTo(const LightCase& lightCase, std::ostream* os)
+{
+  *os << lightCase.name;
+}
 
 vtkLight* addSpotLight(ShadowScene& scene, const glm::dvec3& position, double cone)
 {
@@ -79,17 +81,25 @@ std::vector<LightCase> makeLightCases()
       {"PointLow", [](Solids& scene) { scene.addPointLight(-4.0, 0.9, 1.0); }},
       {"Directional", [](Solids& scene) { scene.addDirectionalLight(0.6, -1.0, -0.4); }},
       {"DirectionalGrazing", [](Solids& scene) { scene.addDirectionalLight(1.0, -0.15, 0.2); }},
-      {"SpotNarrow", [](Solids& scene) { addSpotLight(scene, {-1.0, 4.0, 1.0}, 25.0); }},
-      {"SpotWide", [](Solids& scene) { addSpotLight(scene, {2.0, 2.5, 1.0}, 120.0); }},
-      {"ThreeKinds",
+      {"SpotNarrow",
        [](Solids& scene) {
+         addSpotLight(scene, {-1.0, 4.0, 1.0}, 25.0);
+       }},
+      {"SpotWide",
+       [](Solids& scene) {
+         addSpotLight(scene, {2.0, 2.5, 1.0}, 120.0);
+       }},
+      {"ThreeKinds",
+       [](Solids& scene)
+       {
          scene.addPointLight(2.5, 3.0, 1.5);
          scene.addDirectionalLight(0.6, -1.0, -0.4);
          addSpotLight(scene, {-2.0, 3.0, 2.0}, 60.0);
        },
        3},
       {"ParallelCamera",
-       [](Solids& scene) {
+       [](Solids& scene)
+       {
          scene.renderer->GetActiveCamera()->ParallelProjectionOn();
          scene.renderer->GetActiveCamera()->SetParallelScale(1.4);
          scene.renderer->ResetCameraClippingRange();

@@ -1,0 +1,261 @@
+// Frames with one moving point light: plain VTK, vtkShadowMapPass at 2048 x 2048, and shadow volumes, in turns, so that
+// their ratio means something on a noisy machine. And the memory a frame takes.
+//
+//   bench_frame [MODEL.obj...] [--benchmark_...]   without models: built-in ones, and the meshes found beside the project
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include <vtkCameraPass.h>
+#include <vtkOBJReader.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkSequencePass.h>
+#include <vtkShadowMapBakerPass.h>
+#include <vtkShadowMapPass.h>
+#include <vtkSphereSource.h>
+
+#include "ShadowScene.h"
+
+namespace
+{
+
+using shadow::truth::ShadowScene;
+using Clock = std::chrono::steady_clock;
+
+double median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+vtkSmartPointer<vtkAlgorithm> makeSource(const std::string& model)
+{
+  if (model.rfind("sphere-", 0) == 0)
+  {
+    // About n triangles: 2 theta phi.
+    const int side = static_cast<int>(std::sqrt(std::stod(model.substr(7)) / 2.0));
+    auto sphere = vtkSmartPointer<vtkSphereSource>::New();
+    sphere->SetThetaResolution(side);
+    sphere->SetPhiResolution(side);
+    return sphere;
+  }
+  auto reader = vtkSmartPointer<vtkOBJReader>::New();
+  reader->SetFileName(model.c_str());
+  return reader;
+}
+
+/// Model on a floor, 640 x 480, a point light above and beside it.
+class MovingLightScene
+{
+public:
+  explicit MovingLightScene(const std::string& model)
+    : scene(640, 480)
+  {
+    vtkActor* actor = this->scene.addSource(makeSource(model));
+    std::copy_n(actor->GetBounds(), 6, this->bounds);
+    this->diagonal = actor->GetLength();
+    this->scene.addFloor();
+    this->scene.lookFrom(-0.4, 0.7, 1.0, 1.0);
+    this->light = this->scene.addPointLight(0.0, 0.0, 0.0);
+    // A shadow map knows spot lights below 90 degrees only.
+    this->light->SetConeAngle(89.0);
+    this->light->SetFocalPoint(this->centre(0), this->centre(2), this->centre(4));
+    this->moveLight();
+
+    vtkNew<vtkShadowMapBakerPass> baker;
+    baker->SetResolution(2048);
+    vtkNew<vtkShadowMapPass> map;
+    map->SetShadowMapBakerPass(baker);
+    vtkNew<vtkRenderPassCollection> passes;
+    passes->AddItem(baker);
+    passes->AddItem(map);
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(passes);
+    this->shadowMap->SetDelegatePass(sequence);
+  }
+
+  ~MovingLightScene()
+  {
+    this->shadowMap->ReleaseGraphicsResources(this->scene.window);
+    this->scene.renderer->SetPass(nullptr);
+  }
+
+  /// Milliseconds of a frame after the light has moved.
+  double draw(vtkRenderPass* pass)
+  {
+    if (this->scene.renderer->GetPass() != pass)
+    {
+      this->scene.renderer->SetPass(pass);
+    }
+    this->moveLight();
+    const Clock::time_point start = Clock::now();
+    this->scene.window->Render();
+    this->scene.window->WaitForCompletion();
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  }
+
+  ShadowScene scene;
+  vtkNew<vtkCameraPass> shadowMap;
+
+private:
+  double centre(int axis) const { return 0.5 * (this->bounds[axis] + this->bounds[axis + 1]); }
+
+  void moveLight()
+  {
+    this->angle += 0.01;
+    this->light->SetPosition(this->centre(0) + 0.6 * this->diagonal * std::cos(this->angle),
+                             this->bounds[3] + 0.8 * this->diagonal,
+                             this->centre(4) + 0.6 * this->diagonal * std::sin(this->angle));
+  }
+
+  vtkLight* light = nullptr;
+  double bounds[6] = {0, 0, 0, 0, 0, 0};
+  double diagonal = 1.0;
+  double angle = 0.0;
+};
+
+void frameAgainstShadowMap(benchmark::State& state, const std::string& model, int stencilMethod)
+{
+  MovingLightScene moving(model);
+  moving.scene.pass->SetStencilMethod(stencilMethod);
+  vtkRenderPass* const passes[] = {nullptr, moving.shadowMap, moving.scene.pass};
+  std::vector<double> milliseconds[3];
+  for (auto _ : state)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      // A pass that was just attached has VTK build its shaders again; its second frame counts.
+      moving.draw(passes[i]);
+      milliseconds[i].push_back(moving.draw(passes[i]));
+    }
+    state.SetIterationTime(1e-3 * milliseconds[2].back());
+  }
+  state.counters["plain_ms"] = median(milliseconds[0]);
+  state.counters["shadow_map_ms"] = median(milliseconds[1]);
+  state.counters["volumes_ms"] = median(milliseconds[2]);
+  state.counters["volumes_over_map"] = median(milliseconds[2]) / median(milliseconds[1]);
+  state.counters["triangles"] = static_cast<double>(moving.scene.pass->GetAmbientTriangles());
+}
+
+void stages(benchmark::State& state, const std::string& model, int stencilMethod)
+{
+  MovingLightScene moving(model);
+  vtkShadowVolumePass* pass = moving.scene.pass;
+  pass->SetStencilMethod(stencilMethod);
+  pass->MeasureStagesOn();
+  moving.draw(pass);
+  std::vector<double> silhouette;
+  std::vector<double> prePass;
+  std::vector<double> stencil;
+  std::vector<double> lighting;
+  for (auto _ : state)
+  {
+    state.SetIterationTime(1e-3 * moving.draw(pass));
+    silhouette.push_back(pass->GetSilhouetteMilliseconds());
+    prePass.push_back(pass->GetPrePassMilliseconds());
+    stencil.push_back(pass->GetStencilMilliseconds());
+    lighting.push_back(pass->GetLightingMilliseconds());
+  }
+  state.counters["silhouette_ms"] = median(silhouette);
+  state.counters["prepass_ms"] = median(prePass);
+  state.counters["stencil_ms"] = median(stencil);
+  state.counters["lighting_ms"] = median(lighting);
+}
+
+/// Kilobytes from /proc; 0 where there is no such file.
+double readStatus(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word)
+  {
+    if (word == key + ":")
+    {
+      double kilobytes = 0.0;
+      status >> kilobytes;
+      return kilobytes;
+    }
+  }
+  return 0.0;
+}
+
+/// Highest memory of the first shadowed frame above that of plain VTK's frames, a triangle. Software GL: its buffers count.
+void peakMemory(benchmark::State& state, int triangles, int stencilMethod)
+{
+  for (auto _ : state)
+  {
+    MovingLightScene moving("sphere-" + std::to_string(triangles));
+    moving.scene.pass->SetStencilMethod(stencilMethod);
+    moving.draw(nullptr);
+    moving.draw(nullptr);
+    const double before = readStatus("VmRSS");
+    std::ofstream("/proc/self/clear_refs") << 5; // resets the high-water mark
+    state.SetIterationTime(1e-3 * moving.draw(moving.scene.pass));
+    const double count = static_cast<double>(moving.scene.pass->GetAmbientTriangles());
+    state.counters["peak_bytes_per_triangle"] = 1024.0 * (readStatus("VmHWM") - before) / count;
+    state.counters["kept_bytes_per_triangle"] = static_cast<double>(moving.scene.pass->GetMemorySize()) / count;
+  }
+}
+
+std::vector<std::string> findModels(int argc, char** argv)
+{
+  std::vector<std::string> models(argv + 1, argv + argc);
+  if (models.empty())
+  {
+    models = {"sphere-6000", "sphere-70000"};
+    for (const char* name : {"spot", "teapot", "stanford-bunny"})
+    {
+      const std::string path = std::string(MODEL_FOLDER) + "/" + name + ".obj";
+      if (std::filesystem::exists(path))
+      {
+        models.push_back(path);
+      }
+    }
+  }
+  return models;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  benchmark::Initialize(&argc, argv);
+  for (const std::string& model : findModels(argc, argv))
+  {
+    const std::string name = std::filesystem::path(model).stem().string();
+    benchmark::RegisterBenchmark(("FrameAgainstShadowMap/" + name + "/auto").c_str(), frameAgainstShadowMap, model,
+                                 vtkShadowVolumePass::STENCIL_AUTO)
+        ->UseManualTime()
+        ->Iterations(40)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("Stages/" + name + "/zpass").c_str(), stages, model,
+                                 vtkShadowVolumePass::STENCIL_ZPASS)
+        ->UseManualTime()
+        ->Iterations(40)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("Stages/" + name + "/zfail").c_str(), stages, model,
+                                 vtkShadowVolumePass::STENCIL_ZFAIL)
+        ->UseManualTime()
+        ->Iterations(40)
+        ->Unit(benchmark::kMillisecond);
+  }
+  for (const int method : {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL})
+  {
+    const std::string name = method == vtkShadowVolumePass::STENCIL_ZPASS ? "zpass" : "zfail";
+    benchmark::RegisterBenchmark(("PeakMemory/sphere-500000/" + name).c_str(), peakMemory, 500000, method)
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
