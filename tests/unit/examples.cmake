@@ -5,8 +5,6 @@ if(TARGET shadow_examples)
     VTK::CommonMath VTK::IOImage)
   gtest_discover_tests(test_examples DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
-  find_program(SHADOW_TEST_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
-  find_program(SHADOW_TEST_PYTHON python3)
   if(SHADOW_TEST_PYTHON)
     foreach(part cli refusals)
       add_test(NAME shadow_render.${part} COMMAND ${SHADOW_TEST_PYTHON} -B
