@@ -105,6 +105,10 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(
   {
     this->AddMessage(message);
   }
+  for (const std::string& message : this->ShaderMessages)
+  {
+    this->AddMessage(message);
+  }
 
   shadow::ShadowVolumeEffect::Settings settings;
   settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
@@ -132,6 +136,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(
   {
     this->Hook.samples = samples;
     this->ShaderTime.Modified();
+    this->ShaderMessages.clear();
   }
   return true;
 }
@@ -145,6 +150,7 @@ void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, R
   if (state.Builder.update(state.Renderer, settings, *state.Effect))
   {
     this->ShaderTime.Modified();
+    this->ShaderMessages.clear();
   }
   for (const std::string& error : state.Builder.getErrors())
   {

@@ -83,6 +83,7 @@ public:
   int Status = STATUS_NOT_RENDERED;
   std::string Message;
   std::string ReportedMessage;
+  std::set<std::string> ShaderMessages; ///< of shaders that have been built since ShaderTime
   std::set<shadow::CasterCuller::Skipped> Skipped;
   int ShadowLights = 0;
   int LightingPasses = 0;

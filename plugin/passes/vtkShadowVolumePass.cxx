@@ -76,11 +76,6 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
     this->RenderPart(this->Internals->LightsPass, s);
   }
   const bool shadowed = this->Internals->PrepareMask(this, renderer, window);
-  if (!this->Internals->Message.empty() && this->Internals->Message != this->Internals->ReportedMessage)
-  {
-    vtkWarningMacro(<< this->Internals->Message);
-  }
-  this->Internals->ReportedMessage = this->Internals->Message;
   if (shadowed)
   {
     this->RenderShadowed(s);
@@ -95,6 +90,11 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
     this->RenderPart(this->Internals->VolumetricPass, s);
     this->RenderPart(this->Internals->OverlayPass, s);
   }
+  if (!this->Internals->Message.empty() && this->Internals->Message != this->Internals->ReportedMessage)
+  {
+    vtkWarningMacro(<< this->Internals->Message);
+  }
+  this->Internals->ReportedMessage = this->Internals->Message;
 }
 
 //------------------------------------------------------------------------------
@@ -154,8 +154,11 @@ bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std
   const bool mirrored = current != nullptr && current->Builder.isMirrored(prop);
   if (!this->Internals->Hook.substitute(fragmentShader, mirrored))
   {
-    this->Internals->AddMessage(std::string("the shader of a ") + prop->GetClassName() +
-      " has lighting that shadows cannot be put into; it is drawn without");
+    // VTK builds a shader once; the message stays with it.
+    const std::string message = std::string("the shader of a ") + prop->GetClassName() +
+      " has lighting that shadows cannot be put into; it is drawn without";
+    this->Internals->ShaderMessages.insert(message);
+    this->Internals->AddMessage(message);
   }
   return this->Superclass::PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
 }

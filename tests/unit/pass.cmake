@@ -14,6 +14,7 @@ if(VTKSHADOW_HEADLESS)
     test_pass_changes.cxx
     test_pass_growth.cxx
     test_pass_lights.cxx
+    test_pass_mappers.cxx
     test_pass_materials.cxx
     test_pass_reports.cxx
     test_pass_state.cxx
