@@ -44,6 +44,15 @@ int substitutePhysicallyBased(std::string& shader, const std::string& light)
          replaceAll(shader, "radiance = lightColor" + light + " * attenuation;", factor + " * attenuation;");
 }
 
+// Lights that are not the headlight are declared, and the first one's colour is used, not only declared.
+bool usesSceneLights(const std::string& shader)
+{
+  const std::string colour = "lightColor0";
+  const std::size_t declared = shader.find("uniform vec3 " + colour);
+  return shader.find("uniform vec3 lightDirectionVC0") != std::string::npos && declared != std::string::npos &&
+         shader.find(colour, shader.find(';', declared)) != std::string::npos;
+}
+
 } // namespace
 
 bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
@@ -85,9 +94,7 @@ bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
                                     "\n#define SHADOW_MATCH " + (mirrored ? "0\n" : "1\n") +
                                     shaders::shadowFactor_glsl + "\n");
   }
-  const bool hasSceneLights = fragmentShader.find("uniform vec3 lightDirectionVC0") != std::string::npos &&
-                              fragmentShader.find("lightColor0") != std::string::npos;
-  return !hasSceneLights || blinnPhong + physicallyBased > 0;
+  return blinnPhong + physicallyBased > 0 || !usesSceneLights(fragmentShader);
 }
 
 void LightingHook::begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, const View& view)
