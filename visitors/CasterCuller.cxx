@@ -12,8 +12,6 @@ namespace shadow
 namespace
 {
 
-using Corners = std::array<glm::dvec3, 8>;
-
 // Rounding of a few products of coordinates this large; far above the truth, far below a pixel.
 double slack(const glm::dvec4& plane, const glm::dvec3& point)
 {
@@ -21,7 +19,7 @@ double slack(const glm::dvec4& plane, const glm::dvec3& point)
   return 1e-9 * (glm::dot(glm::abs(normal), glm::abs(point)) + std::abs(plane.w));
 }
 
-bool allOutside(const glm::dvec4& plane, const Corners& corners)
+bool allOutside(const glm::dvec4& plane, const BoxCorners& corners)
 {
   return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
     return glm::dot(plane, glm::dvec4(corner, 1.0)) < -slack(plane, corner);
@@ -29,7 +27,7 @@ bool allOutside(const glm::dvec4& plane, const Corners& corners)
 }
 
 // The caster is outside the plane and its shadow runs along or away from it.
-bool shadowOutside(const glm::dvec4& plane, const Corners& corners, const Light& light)
+bool shadowOutside(const glm::dvec4& plane, const BoxCorners& corners, const Light& light)
 {
   return allOutside(plane, corners) &&
          std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
@@ -81,7 +79,7 @@ std::vector<glm::dvec4> makeNearVolume(const View& view, const Light& light)
   return planes;
 }
 
-bool lightOutsideBoundingSphere(const Light& light, const Corners& corners)
+bool lightOutsideBoundingSphere(const Light& light, const BoxCorners& corners)
 {
   const glm::dvec3 centre = 0.5 * (corners[0] + corners[7]);
   double radius = 0.0;
@@ -90,6 +88,13 @@ bool lightOutsideBoundingSphere(const Light& light, const Corners& corners)
     radius = std::max(radius, glm::distance(centre, corner));
   }
   return light.positionWC.w == 0.0 || glm::distance(glm::dvec3(light.positionWC), centre) > radius * (1.0 + 1e-6);
+}
+
+// A shared geode goes by the name of what places it.
+std::string nameOf(const NodePath& path)
+{
+  const auto named = std::find_if(path.rbegin(), path.rend(), [](const Node* node) { return !node->name.empty(); });
+  return named != path.rend() ? (*named)->name : "";
 }
 
 } // namespace
@@ -124,7 +129,7 @@ void CasterCuller::apply(SEDGeode& geode)
 {
   PathState& path = geode.getPathState(this->getPath());
   path.modelToWorld = this->getModelToWorld();
-  const Corners corners = worldCorners(geode.getGeometry(), path.modelToWorld);
+  const BoxCorners corners = worldCorners(geode.getGeometry(), path.modelToWorld);
   path.inView = std::none_of(this->view.planes.begin(), this->view.planes.end(),
                              [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
   for (std::size_t i = 0; i < this->lights.size(); ++i)
@@ -146,14 +151,14 @@ void CasterCuller::apply(SEDGeode& geode)
     }
     if (state.plan.skipReason != nullptr)
     {
-      this->skipped.insert({this->getPath().back()->name, state.plan.skipReason});
+      this->skipped.insert({nameOf(this->getPath()), state.plan.skipReason});
     }
     this->casters += state.plan.count != StencilCount::Skip ? 1 : 0;
     this->zFailCasters += state.plan.count == StencilCount::ZFail ? 1 : 0;
   }
 }
 
-CasterPlan CasterCuller::plan(std::size_t lightPlace, const Corners& corners, bool inView) const
+CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners, bool inView) const
 {
   const Light& light = this->lights[lightPlace];
   CasterPlan result;
@@ -186,13 +191,13 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const Corners& corners, bo
 }
 
 // A floor, a wall: a flat caster cannot shadow itself, and all of the scene is on the light's side of it or in its plane.
-bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& wcFromModel, const Light& light) const
+bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& modelToWorld, const Light& light) const
 {
   if (!geometry.getCommonPlane())
   {
     return false;
   }
-  const glm::dmat4 worldFromMC = glm::translate(wcFromModel, geometry.getOrigin());
+  const glm::dmat4 worldFromMC = glm::translate(modelToWorld, geometry.getOrigin());
   glm::dvec4 plane = *geometry.getCommonPlane() * glm::inverse(worldFromMC);
   plane /= glm::length(glm::dvec3(plane));
   plane = glm::dot(plane, light.positionWC) < 0.0 ? -plane : plane;
@@ -206,7 +211,7 @@ bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& 
 
 // A side of the scene's bounding box that all the caster's shadow runs into: what lies behind it receives nothing, so the
 // volume can end there and covers far fewer pixels than one that goes on for ever. The plane at infinity if there is none.
-glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const Corners& corners, StencilCount count) const
+glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const BoxCorners& corners, StencilCount count) const
 {
   glm::dvec4 best(0.0, 0.0, 0.0, 1.0);
   double shortest = std::numeric_limits<double>::max();

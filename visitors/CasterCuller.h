@@ -55,12 +55,9 @@ public:
   int getZFailCasters() const { return this->zFailCasters; }
 
 private:
-  using Corners = std::array<glm::dvec3, 8>;
-
-  CasterPlan plan(std::size_t lightPlace, const Corners& corners, bool inView) const;
+  CasterPlan plan(std::size_t lightPlace, const BoxCorners& corners, bool inView) const;
   bool nothingBehind(const SEDGeometry& geometry, const glm::dmat4& modelToWorld, const Light& light) const;
-
-  glm::dvec4 chooseFarPlane(const Light& light, const Corners& corners, StencilCount count) const;
+  glm::dvec4 chooseFarPlane(const Light& light, const BoxCorners& corners, StencilCount count) const;
 
   const View& view;
   const std::vector<Light>& lights;

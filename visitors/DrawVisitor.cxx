@@ -5,8 +5,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <vtkShaderProgram.h>
-
 #include "OpenGL.h"
 
 namespace shadow
@@ -47,7 +45,8 @@ void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
   const bool mirrored = this->setMatrices(geode);
   glFrontFace(mirrored ? GL_CW : GL_CCW);
   SEDGeometryDrawable& drawable = this->pass.drawables->getGeometry(geode.getSharedGeometry());
-  const ReachableBitsBuffer& reachableBits = this->pass.drawables->getReachableBits(path);
+  const ReachableBitsBuffer& reachableBits =
+      this->pass.drawables->getReachableBits(path, drawable.getVertexCount());
   if (this->getFaceCulling() != FaceCulling::None)
   {
     // VTK calls back what is clockwise on the screen, mirrored or not.
@@ -74,6 +73,10 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
   for (std::size_t part = 0; part < light.volumes.size(); ++part)
   {
     const ShadowVolume& volume = light.volumes[part];
+    if (volume.getTriangleCount() == 0)
+    {
+      continue;
+    }
     this->pass.makeRoom(volume.overlapBound);
     ShadowVolumeDrawable& drawable = this->pass.drawables->getVolume(light, part);
     drawable.draw(this->pass.state, this->pass.program, geometry.getVolumeVertexBuffer(), count,

@@ -1,6 +1,10 @@
 #include "SEDVisitor.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
 
 #include "CountableVolumes.h"
 
@@ -86,7 +90,7 @@ void SEDVisitor::face(SEDGeode& geode, PathState& path)
     const std::optional<glm::dvec4> lightMC = lightToModel(light, this->getModelToWorld(), geometry.getOrigin());
     if (!lightMC)
     {
-      this->flattened.insert(geode.name);
+      // The transform flattens the geode: there is no inside to cast from.
       facingChanged = facingChanged || state.faced;
       state = {};
       continue;

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <set>
-#include <string>
 #include <vector>
 
 #include "Light.h"
@@ -41,9 +38,6 @@ public:
 
   int getRebuiltVolumes() const { return this->rebuiltVolumes; }
 
-  /// Geodes whose transform flattens them: they have no inside to cast from.
-  const std::set<std::string>& getFlattened() const { return this->flattened; }
-
 private:
   void face(SEDGeode& geode, PathState& path);
   void refreshVolume(const SEDGeometry& geometry, PathLightState& state);
@@ -52,7 +46,6 @@ private:
   const std::vector<Light>& lights;
   const SilhouetteFinder& finder;
   int rebuiltVolumes = 0;
-  std::set<std::string> flattened;
 };
 
 } // namespace shadow

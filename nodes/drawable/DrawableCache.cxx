@@ -43,12 +43,12 @@ SEDGeometryDrawable& DrawableCache::getGeometry(const std::shared_ptr<const SEDG
   return *entry.drawable;
 }
 
-ReachableBitsBuffer& DrawableCache::getReachableBits(const PathState& path)
+ReachableBitsBuffer& DrawableCache::getReachableBits(const PathState& path, std::size_t vertices)
 {
   ReachableBitsBuffer& buffer = this->reachableBits[&path];
   if (buffer.revision != path.reachableRevision)
   {
-    buffer.upload(path.reachableBits);
+    buffer.upload(path.reachableBits, vertices);
     buffer.revision = path.reachableRevision;
   }
   buffer.used = true;

@@ -21,7 +21,9 @@ public:
   DrawableCache& operator=(const DrawableCache&) = delete;
 
   SEDGeometryDrawable& getGeometry(const std::shared_ptr<const SEDGeometry>& geometry);
-  ReachableBitsBuffer& getReachableBits(const PathState& path);
+
+  /// @param vertices  see ReachableBitsBuffer::upload()
+  ReachableBitsBuffer& getReachableBits(const PathState& path, std::size_t vertices);
 
   /// @param part  which of the light state's volumes
   ShadowVolumeDrawable& getVolume(const PathLightState& light, std::size_t part);

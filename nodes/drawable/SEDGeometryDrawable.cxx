@@ -64,13 +64,16 @@ std::size_t uploadBuffer(GLenum target, unsigned int buffer, const std::vector<E
 
 } // namespace
 
-void ReachableBitsBuffer::upload(const std::vector<glm::uvec2>& bits)
+void ReachableBitsBuffer::upload(const std::vector<glm::uvec2>& bits, std::size_t vertices)
 {
   if (this->buffer == 0)
   {
     glGenBuffers(1, &this->buffer);
   }
-  this->bytes = uploadBuffer(GL_ARRAY_BUFFER, this->buffer, bits, GL_STREAM_DRAW);
+  this->bytes = std::max(bits.size(), vertices) * sizeof(glm::uvec2);
+  glBindBuffer(GL_ARRAY_BUFFER, this->buffer);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->bytes), nullptr, GL_STREAM_DRAW);
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bits.size() * sizeof(glm::uvec2)), bits.data());
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
@@ -89,6 +92,7 @@ SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& sedGeometry)
   , triangles(sedGeometry.getTriangles().size())
 {
   const PrePassMesh mesh = giveTrianglesTheirOwnVertex(sedGeometry);
+  this->vertices = mesh.positions.size();
   glGenVertexArrays(1, &this->vertexArray);
   glBindVertexArray(this->vertexArray);
   glGenBuffers(1, &this->vertexBuffer);
@@ -126,7 +130,7 @@ void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuf
   {
     glBindBuffer(GL_ARRAY_BUFFER, reachableBits.getBuffer());
     glEnableVertexAttribArray(static_cast<GLuint>(bits));
-    // Vertices after the triangles' own provoke nothing: they may read what they like, but not beyond the buffer.
+    // Vertices after the triangles' own provoke nothing: what they read does not matter.
     glVertexAttribIPointer(static_cast<GLuint>(bits), 2, GL_UNSIGNED_INT, sizeof(glm::uvec2), nullptr);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
   }

@@ -22,8 +22,9 @@ public:
   ReachableBitsBuffer(const ReachableBitsBuffer&) = delete;
   ReachableBitsBuffer& operator=(const ReachableBitsBuffer&) = delete;
 
-  /// @param bits  a triangle, see PathState::reachableBits
-  void upload(const std::vector<glm::uvec2>& bits);
+  /// @param bits      a triangle, see PathState::reachableBits
+  /// @param vertices  of the SEDGeometryDrawable; those beyond the triangles' own are never looked at, but are fetched
+  void upload(const std::vector<glm::uvec2>& bits, std::size_t vertices);
 
   unsigned int getBuffer() const { return this->buffer; }
   void release(bool contextLost);
@@ -62,6 +63,9 @@ public:
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost);
 
+  /// Vertices of the pre-pass, those of the triangles first.
+  std::size_t getVertexCount() const { return this->vertices; }
+
   std::size_t getMemorySize() const { return this->bytes; }
 
   bool used = false; ///< since the cache was swept last
@@ -78,6 +82,7 @@ private:
   unsigned int sortedIndexBuffer = 0; ///< triangles whose raster order is the input's come first
   std::size_t unreversedTriangles = 0; ///< these
   std::size_t triangles = 0;
+  std::size_t vertices = 0;
   std::size_t bytes = 0;
 };
 

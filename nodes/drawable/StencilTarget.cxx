@@ -13,6 +13,21 @@
 namespace shadow
 {
 
+namespace
+{
+
+// Rows without gaps; leaves the packing as it was.
+void readPixels(vtkOpenGLState* state, int width, int height, GLenum format, GLenum type, void* pixels)
+{
+  GLint alignment = 4;
+  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, format, type, pixels);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
+}
+
+} // namespace
+
 unsigned int StencilTarget::getTextureTarget() const
 {
   return this->samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
@@ -87,12 +102,12 @@ void StencilTarget::begin(vtkOpenGLState* state, bool reversedDepth)
   glClearBufferfi(GL_DEPTH_STENCIL, 0, reversedDepth ? 0.0f : 1.0f, 0);
 }
 
-void StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth)
+bool StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth)
 {
   vtkShaderProgram* program = programs.use(ShadowPrograms::Mask, false);
   if (program == nullptr)
   {
-    return;
+    return false;
   }
   program->SetUniformi("lightBit", light);
   // Drawn at the farthest depth, and seen where a surface is in front of it.
@@ -111,6 +126,7 @@ void StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs,
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
   glDisable(GL_COLOR_LOGIC_OP);
+  return true;
 }
 
 std::vector<unsigned char> StencilTarget::readMask(vtkOpenGLRenderWindow* window, int light)
@@ -131,8 +147,7 @@ std::vector<unsigned char> StencilTarget::readMask(vtkOpenGLRenderWindow* window
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->framebuffer);
   glReadBuffer(GL_COLOR_ATTACHMENT0);
-  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, this->width, this->height, GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
+  readPixels(state, this->width, this->height, GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
   state->PopFramebufferBindings();
   std::transform(words.begin(), words.end(), mask.begin(), [light](GLuint word) {
     return static_cast<unsigned char>((word >> light) & 1u ? 255 : 0);
@@ -172,8 +187,7 @@ void StencilTarget::readResolved(vtkOpenGLRenderWindow* window, int light, std::
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
     glReadBuffer(GL_COLOR_ATTACHMENT0);
-    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, this->width, this->height, GL_RED, GL_UNSIGNED_BYTE, mask.data());
+    readPixels(state, this->width, this->height, GL_RED, GL_UNSIGNED_BYTE, mask.data());
   }
   glDeleteFramebuffers(1, &resolveBuffer);
   glDeleteRenderbuffers(1, &share);

@@ -29,8 +29,8 @@ public:
   void begin(vtkOpenGLState* state, bool reversedDepth);
 
   /// Where the stencil is not zero and there is a surface, takes the light's bit out of the mask. Sets the stencil back to
-  /// zero.
-  void foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
+  /// zero. @return false when the shader does not compile
+  bool foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
 
   /// Copies the mask's bit of a light: width * height values, bottom row first; 255 reached, 0 shadowed, between for
   /// pixels whose samples differ.

@@ -62,6 +62,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   if (lights.empty())
   {
     this->target.begin(window->GetState(), this->capabilities.clipControl);
+    this->drawables.sweep();
     return true;
   }
 
@@ -112,10 +113,6 @@ void ShadowVolumeEffect::face(const View& view, const std::vector<Light>& lights
   this->statistics.casters = culler.getCasters();
   this->statistics.zFailCasters = culler.getZFailCasters();
   this->statistics.skipped = culler.getSkipped();
-  for (const std::string& flattened : facer.getFlattened())
-  {
-    this->statistics.skipped.insert({flattened, "its transform flattens it"});
-  }
 }
 
 void ShadowVolumeEffect::chooseDepthRange(const View& view, const SceneBounds& bounds)
@@ -178,12 +175,12 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
 bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light)
 {
   // The stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
-  constexpr std::size_t countable = 255;
   vtkOpenGLState* state = window->GetState();
   ShadowPrograms programs(window);
   vtkShaderProgram* program = nullptr;
   std::size_t counted = 0;
   bool open = false;
+  bool usable = true;
 
   const auto openStencil = [&] {
     program = programs.use(ShadowPrograms::Volume, view.parallel);
@@ -197,7 +194,7 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     return program;
   };
   const auto fold = [&] {
-    this->target.foldStencil(state, programs, light.index, this->depthRange.reversed);
+    usable = this->target.foldStencil(state, programs, light.index, this->depthRange.reversed) && usable;
     counted = 0;
     open = false;
   };
@@ -218,12 +215,13 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
     pass.reversedDepth = this->depthRange.reversed;
     pass.makeRoom = [&](std::size_t bound) {
-      if (counted + bound > countable && counted > 0)
+      if (counted + bound > mostCountable && counted > 0)
       {
         fold();
         openStencil();
       }
-      counted += bound;
+      // What was drawn has to be folded, whatever its bound.
+      counted += std::max<std::size_t>(bound, 1);
     };
     DrawVisitor draw(pass);
     this->accept(draw);
@@ -235,7 +233,7 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
   {
     fold();
   }
-  return true;
+  return usable;
 }
 
 void ShadowVolumeEffect::release(bool contextLost)

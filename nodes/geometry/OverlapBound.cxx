@@ -84,12 +84,6 @@ bool casts(const LightFacing& facing, Casting casting, std::size_t triangle)
   return facing.towards.test(triangle) || (casting == Casting::EveryTriangle && facing.away.test(triangle));
 }
 
-std::size_t countCasting(const LightFacing& facing, Casting casting)
-{
-  const std::size_t towards = facing.towards.countSet();
-  return casting == Casting::LightFacing ? towards : towards + facing.away.countSet();
-}
-
 /// All rays are parallel: walk across their direction, in from where nothing is hit. Going one way only edges
 /// that run to the right lead into the volume.
 std::size_t boundParallel(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
@@ -186,6 +180,12 @@ std::size_t boundMeridians(const SEDGeometry& geometry, const std::vector<Silhou
 }
 
 } // namespace
+
+std::size_t countCasting(const LightFacing& facing, Casting casting)
+{
+  const std::size_t towards = facing.towards.countSet();
+  return casting == Casting::LightFacing ? towards : towards + facing.away.countSet();
+}
 
 std::size_t boundOverlap(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
                          const LightFacing& facing, Casting casting, const glm::dvec4& lightMC)

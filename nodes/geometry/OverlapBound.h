@@ -14,6 +14,9 @@ struct SilhouetteEdge;
 struct LightFacing;
 enum class Casting;
 
+/// Number of triangles that cast.
+std::size_t countCasting(const LightFacing& facing, Casting casting);
+
 /// Upper bound of how often one ray from the light enters the caster's shadow volume.
 ///
 /// An 8-bit stencil buffer counts modulo 256, so volumes whose bounds add up to more than 255 must not share
@@ -24,8 +27,8 @@ enum class Casting;
 /// side.
 ///
 /// @param lightMC  relative to the geometry's origin; w = 0: direction towards the light
-/// @par Cost    O(s log s) for s silhouette edges; O(triangles) more when a point light lies inside the
-/// bounding sphere
+/// @par Cost    O(s log s) for s silhouette edges; O(triangles) more when a point light lies inside the bounding
+///              sphere
 std::size_t boundOverlap(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
                          const LightFacing& facing, Casting casting, const glm::dvec4& lightMC);
 

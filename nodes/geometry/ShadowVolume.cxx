@@ -15,9 +15,6 @@ namespace shadow
 namespace
 {
 
-/// What an 8-bit stencil buffer can count.
-constexpr std::size_t stencilRange = 255;
-
 std::uint32_t nearCopy(std::uint32_t vertex)
 {
   return 2 * vertex;
@@ -43,7 +40,6 @@ public:
   void addLightCap(ShadowVolume& volume) const;
   void addDarkTriangles(ShadowVolume& volume) const;
   void addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const;
-  std::size_t countCasting() const;
 
 private:
   /// 1 or -1: casts as it is oriented, or turned over. 0: does not cast.
@@ -175,12 +171,6 @@ void Extruder::addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowV
   }
 }
 
-std::size_t Extruder::countCasting() const
-{
-  const std::size_t towards = this->facing.towards.countSet();
-  return this->casting == Casting::LightFacing ? towards : towards + this->facing.away.countSet();
-}
-
 } // namespace
 
 ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
@@ -211,8 +201,8 @@ ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<Si
     extruder.addDarkFan(silhouette, volume);
   }
 
-  volume.overlapBound = extruder.countCasting();
-  if (volume.overlapBound > stencilRange)
+  volume.overlapBound = countCasting(facing, casting);
+  if (volume.overlapBound > mostCountable)
   {
     volume.overlapBound = boundOverlap(geometry, silhouette, facing, casting, lightMC);
   }

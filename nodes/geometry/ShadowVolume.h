@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -13,6 +12,9 @@
 
 namespace shadow
 {
+
+/// The most that an 8-bit stencil buffer can count.
+inline constexpr std::size_t mostCountable = 255;
 
 /// Which triangles of a mesh cast.
 enum class Casting
@@ -33,8 +35,8 @@ struct SilhouetteEdge
 /// The faces of one caster's shadow volume for one light, as indices into the vertices of its SEDGeometry.
 ///
 /// Each vertex v exists twice: index 2v is the near copy at the vertex, 2v + 1 the far copy, moved along the
-/// ray from the light to infinity or to a plane behind everything that receives shadows. Triangles are wound counter-clockwise seen from outside the volume,
-/// except those in lightCapReversed.
+/// ray from the light to infinity or to a plane behind everything that receives shadows. Triangles are wound
+/// counter-clockwise seen from outside the volume, except those in lightCapReversed.
 struct ShadowVolume
 {
   using Triangle = std::array<std::uint32_t, 3>;
@@ -93,8 +95,7 @@ Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 /// Turns a silhouette into the faces of the shadow volume.
 ///
 /// @param silhouette  as found by a silhouette method for the same @p facing and @p casting
-/// @post  without caps the sides' near edges are the silhouette; with both caps the volume is a closed
-/// surface:
+/// @post  without caps the sides' near edges are the silhouette; with both caps the volume is a closed surface:
 ///        each edge is run through as often forwards as backwards, once lightCapReversed is turned and, for a
 ///        directional light at infinity, all far copies are taken as one point
 /// @post  overlapBound is the number of casting triangles, or boundOverlap() where that is above 255

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cmath>
 
-
 namespace shadow
 {
 
@@ -67,9 +66,9 @@ std::size_t SEDGeode::getMemorySize() const
   return bytes;
 }
 
-std::array<glm::dvec3, 8> worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWorld)
+BoxCorners worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWorld)
 {
-  std::array<glm::dvec3, 8> corners;
+  BoxCorners corners;
   for (unsigned i = 0; i < 8; ++i)
   {
     const glm::dvec3 choose(i & 1u, (i >> 1) & 1u, (i >> 2) & 1u);

@@ -117,8 +117,11 @@ private:
   std::map<NodePath, PathState> paths;
 };
 
-/// World-space corners of a geometry's bounding box; [0] and [7] are opposite.
-std::array<glm::dvec3, 8> worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWorld);
+/// Corners of a box; [0] and [7] are opposite.
+using BoxCorners = std::array<glm::dvec3, 8>;
+
+/// World-space corners of a geometry's bounding box.
+BoxCorners worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWorld);
 
 /// A number that has not been handed out before; for PathLightState::revision.
 std::uint64_t nextRevision();

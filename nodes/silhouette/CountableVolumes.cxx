@@ -1,13 +1,13 @@
 #include "CountableVolumes.h"
 
+#include <cstddef>
+#include <utility>
+
 namespace shadow
 {
 
 namespace
 {
-
-/// What an 8-bit stencil can tell from zero.
-constexpr std::size_t countable = 255;
 
 /// Triangles [first, last), which casts what the others leave out.
 struct Range
@@ -50,7 +50,7 @@ public:
     const std::vector<SilhouetteEdge> silhouette = this->finder.find(this->geometry, part, Casting::EveryTriangle);
     ShadowVolume volume =
         extrudeSilhouette(this->geometry, silhouette, part, Casting::EveryTriangle, this->lightMC, this->options);
-    if (volume.overlapBound <= countable || range.last - range.first <= countable)
+    if (volume.overlapBound <= mostCountable || range.last - range.first <= mostCountable)
     {
       if (volume.getTriangleCount() > 0)
       {
@@ -81,7 +81,7 @@ std::vector<ShadowVolume> makeCountableVolumes(const SEDGeometry& geometry, cons
   const std::vector<SilhouetteEdge> silhouette = finder.find(geometry, facing, casting);
   std::vector<ShadowVolume> volumes;
   volumes.push_back(extrudeSilhouette(geometry, silhouette, facing, casting, lightMC, options));
-  if (volumes.front().overlapBound <= countable)
+  if (volumes.front().overlapBound <= mostCountable)
   {
     return volumes;
   }

@@ -58,6 +58,11 @@ bool OSMesaContext::isCurrent() const
   return this->context != nullptr && OSMesaGetCurrentContext() == this->context;
 }
 
+OSMesaContext::Function OSMesaContext::getFunction(void* /*unused*/, const char* name)
+{
+  return OSMesaGetProcAddress(name);
+}
+
 void OSMesaContext::doneCurrent()
 {
   if (this->isCurrent())

@@ -22,6 +22,10 @@ public:
   bool makeCurrent(int width, int height);
   bool isCurrent() const;
 
+  /// The address of a GL function, as GL loaders ask for it.
+  using Function = void (*)();
+  static Function getFunction(void* unused, const char* name);
+
   /// Makes no context current if this one is.
   void doneCurrent();
 

@@ -1,11 +1,8 @@
 #include "vtkHeadlessRenderWindow.h"
 
-#include <algorithm>
-
 #include <vtkObjectFactory.h>
-#include <vtkRendererCollection.h>
-#include <vtkVersionMacros.h>
 
+#include "../vtkShadowCompat.h"
 #include "OSMesaContext.h"
 
 class vtkHeadlessRenderWindow::vtkInternals
@@ -21,6 +18,9 @@ vtkStandardNewMacro(vtkHeadlessRenderWindow);
 vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
   : Internals(new vtkInternals)
 {
+#if VTKSHADOW_WINDOW_LOADS_SYMBOLS
+  this->SetOpenGLSymbolLoader(&shadow::OSMesaContext::getFunction, nullptr);
+#endif
   this->SetReadyForRendering(this->IsUsable());
   this->SetIsCurrent(this->IsUsable());
   this->SetIsDirect(0);

@@ -12,7 +12,14 @@
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 
-#include "vtkShadowCompat.h"
+#include "../vtkShadowCompat.h"
+
+#include <vtkCompositeDataDisplayAttributes.h>
+#if VTKSHADOW_VTK_AT_LEAST(9, 3)
+#include <vtkCompositePolyDataMapper.h>
+#else
+#include <vtkCompositePolyDataMapper2.h>
+#endif
 
 namespace shadow
 {
@@ -22,7 +29,7 @@ namespace
 
 vtkCompositeDataDisplayAttributes* blockAttributes(vtkMapper* mapper)
 {
-  auto* composite = vtkShadowCompositeMapper::SafeDownCast(mapper);
+  auto* composite = VTKSHADOW_COMPOSITE_MAPPER::SafeDownCast(mapper);
   return composite != nullptr ? composite->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
@@ -59,7 +66,7 @@ bool DrawnSurfaces::areKnown(vtkMapper* mapper)
   {
     return false;
   }
-  return mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") || vtkShadowCompositeMapper::SafeDownCast(mapper) != nullptr;
+  return mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") || VTKSHADOW_COMPOSITE_MAPPER::SafeDownCast(mapper) != nullptr;
 }
 
 std::vector<vtkPolyData*> DrawnSurfaces::collect(vtkActor* actor, const PropPath& path, const glm::dmat4& modelToWorld)

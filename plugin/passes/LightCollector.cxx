@@ -1,12 +1,12 @@
 #include "LightCollector.h"
 
-#include <cmath>
+#include <string>
 
+#include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkCamera.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkTransform.h>
 
@@ -50,11 +50,11 @@ glm::dvec4 homogeneousPosition(vtkRenderer* renderer, vtkLight* light)
   return light->LightTypeIsSceneLight() != 0 ? result : applyUserLightTransform(renderer, result);
 }
 
+// Shaders see lights in single precision, and multiply them.
 bool isUsable(const glm::dvec4& position)
 {
-  const glm::dvec3 xyz(position);
-  return std::isfinite(xyz.x) && std::isfinite(xyz.y) && std::isfinite(xyz.z) &&
-         (position.w != 0.0 || glm::length(xyz) > 0.0);
+  const double length = glm::length(glm::dvec3(position));
+  return length < 1e30 && (position.w != 0.0 || length > 0.0);
 }
 
 } // namespace

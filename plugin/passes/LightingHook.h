@@ -1,7 +1,6 @@
 #ifndef LightingHook_h
 #define LightingHook_h
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,6 @@
 #include "View.h"
 
 class vtkOpenGLState;
-class vtkProp;
 class vtkShaderProgram;
 
 namespace shadow

@@ -2,14 +2,11 @@
 
 #include <vtkCameraPass.h>
 #include <vtkImageProcessingPass.h>
-#include <vtkOverlayPass.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
 #include <vtkSSAAPass.h>
 #include <vtkSequencePass.h>
-#include <vtkTranslucentPass.h>
-#include <vtkVolumetricPass.h>
 
 namespace shadow
 {

@@ -163,7 +163,6 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
       if (geometry)
       {
         mesh.geode = std::make_shared<SEDGeode>(std::make_shared<const SEDGeometry>(std::move(*geometry)));
-        mesh.geode->name = name;
       }
     }
   }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <vtkVersion.h>
+#include "../../plugin/vtkShadowCompat.h"
 
-// VTK 9.3 merged the composite mapper with per-block display attributes into the plain one.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#if VTKSHADOW_VTK_AT_LEAST(9, 3)
 #include <vtkCompositePolyDataMapper.h>
 #else
 #include <vtkCompositePolyDataMapper2.h>
@@ -13,10 +12,6 @@ namespace shadow::truth
 {
 
 /// The composite mapper of this VTK that knows hidden blocks.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-using CompositeMapper = vtkCompositePolyDataMapper;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#endif
+using CompositeMapper = VTKSHADOW_COMPOSITE_MAPPER;
 
 } // namespace shadow::truth

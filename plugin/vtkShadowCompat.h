@@ -1,0 +1,21 @@
+#ifndef vtkShadowCompat_h
+#define vtkShadowCompat_h
+
+// Everything that differs between VTK 9.1 and 9.6, in one place. The GL function loader is in nodes/drawable/OpenGL.h.
+
+#include <vtkVersionMacros.h>
+
+#define VTKSHADOW_VTK_AT_LEAST(major, minor)                                                       \
+  (VTK_MAJOR_VERSION > (major) || (VTK_MAJOR_VERSION == (major) && VTK_MINOR_VERSION >= (minor)))
+
+// 9.3 gave the mapper with block attributes the name of the one without.
+#if VTKSHADOW_VTK_AT_LEAST(9, 3)
+#define VTKSHADOW_COMPOSITE_MAPPER vtkCompositePolyDataMapper
+#else
+#define VTKSHADOW_COMPOSITE_MAPPER vtkCompositePolyDataMapper2
+#endif
+
+// 9.4 loads GL functions through glad, and lets a window say how.
+#define VTKSHADOW_WINDOW_LOADS_SYMBOLS VTKSHADOW_VTK_AT_LEAST(9, 4)
+
+#endif
