@@ -1,11 +1,12 @@
 #ifndef vtkShadowCompat_h
 #define vtkShadowCompat_h
 
-// Everything that differs between VTK 9.1 and 9.6, in one place. The GL function loader is in nodes/drawable/OpenGL.h.
+// Everything that differs between VTK 9.1 and 9.6, in one place. The GL function loader is in
+// nodes/drawable/OpenGL.h.
 
 #include <vtkVersionMacros.h>
 
-#define VTKSHADOW_VTK_AT_LEAST(major, minor)                                                       \
+#define VTKSHADOW_VTK_AT_LEAST(major, minor)                                                                 \
   (VTK_MAJOR_VERSION > (major) || (VTK_MAJOR_VERSION == (major) && VTK_MINOR_VERSION >= (minor)))
 
 // 9.3 gave the mapper with block attributes the name of the one without.

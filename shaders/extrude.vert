@@ -2,8 +2,8 @@
 // extrude.vert - pre-pass and volume stage. Drawn by nodes/drawable/SEDGeometryDrawable and ShadowVolumeDrawable.
 // One shader for both, so that a light cap gets bit for bit the depth of the surface it lies on.
 // in   vertexMC    vec4  w = 1 near copy, w = 0 far copy of a vertex; relative to the geometry's origin
-// unif clipFromMC  mat4  see shadowClipFromWC()
 // in   reachableBits  uvec2  pre-pass: of the triangle that this vertex is the last of; see prepass.frag
+// unif clipFromMC  mat4  see shadowClipFromWC()
 // unif lightMC     vec4  w = 1 position, w = 0 direction towards the light; volumes only
 // unif farPlaneMC  vec4  plane that far copies are projected on from the light; (0, 0, 0, 1) is the plane at infinity
 // unif depthBias   vec2  x scales depth, y shifts it; (1, 0) leaves it as it is

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// mask.frag - mask stage, drawn where the stencil count is not zero, combined by logical AND with what is there.
+// mask.frag - mask stage. Drawn by nodes/drawable/StencilTarget where the stencil count is not zero, combined by logical AND with what is there.
 // unif lightBit  int  bit of the light in the mask
 uniform int lightBit;
 out uint reached;

@@ -1,16 +1,16 @@
-// shadowFactor.glsl - put in front of main() of VTK's own fragment shaders by plugin/LightingHook.
+// shadowFactor.glsl - put in front of main() of VTK's own fragment shaders by plugin/passes/LightingHook.
 // unif shadowMask      usampler2D[MS]  bit i set: light i reaches the surface
 // unif shadowDepth     sampler2D[MS]   depth of that surface
 // unif shadowOrigin    ivec2           lower left pixel of the viewport
 // unif shadowStrength  float[]         a light: ShadowIntensity * ShadowAttenuation, 0 for one without shadows
 // unif shadowPass      int             -1 all lights, -2 none (ambient pass), else only this light (lighting pass)
+// unif shadowRange     vec4            x, y: stored depth d to distance (perspective x / d, parallel x + y d);
+//                                      z, w: parallel gl_FragCoord.z to distance z + w z; y = w = 0: perspective
+// unif shadowReversed  int             1: d is the stored depth, 0: 1 - stored depth
 // def  SHADOW_SAMPLES  samples a pixel
 // def  SHADOW_MATCH    1: the fragment may not be the surface of the mask, compare depths
 //
 // Choices are made by the preprocessor where they can be: a software rasteriser runs both sides of a branch.
-// unif shadowRange     vec4            x, y: stored depth d to distance (perspective x / d, parallel x + y d);
-//                                      z, w: parallel gl_FragCoord.z to distance z + w z; y = w = 0: perspective
-// unif shadowReversed  int             1: d is the stored depth, 0: 1 - stored depth
 #if SHADOW_SAMPLES > 1
 uniform usampler2DMS shadowMask;
 uniform sampler2DMS shadowDepth;

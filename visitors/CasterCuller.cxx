@@ -21,24 +21,26 @@ double slack(const glm::dvec4& plane, const glm::dvec3& point)
 
 bool allOutside(const glm::dvec4& plane, const BoxCorners& corners)
 {
-  return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-    return glm::dot(plane, glm::dvec4(corner, 1.0)) < -slack(plane, corner);
-  });
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const glm::dvec3& corner)
+                     { return glm::dot(plane, glm::dvec4(corner, 1.0)) < -slack(plane, corner); });
 }
 
 // The caster is outside the plane and its shadow runs along or away from it.
 bool shadowOutside(const glm::dvec4& plane, const BoxCorners& corners, const Light& light)
 {
   return allOutside(plane, corners) &&
-         std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-           const glm::dvec3 away = corner * light.positionWC.w - glm::dvec3(light.positionWC);
-           const glm::dvec3 normal(plane);
-           return glm::dot(normal, away) <= -1e-9 * glm::length(normal) * glm::length(away);
-         });
+         std::all_of(corners.begin(), corners.end(),
+                     [&](const glm::dvec3& corner)
+                     {
+                       const glm::dvec3 away = corner * light.positionWC.w - glm::dvec3(light.positionWC);
+                       const glm::dvec3 normal(plane);
+                       return glm::dot(normal, away) <= -1e-9 * glm::length(normal) * glm::length(away);
+                     });
 }
 
-// Planes (inside positive) of the convex hull of the near rectangle and the light. Empty when the light is so close to
-// the near plane that the hull has no volume to speak of: nothing can then be said to lie outside.
+// Planes (inside positive) of the convex hull of the near rectangle and the light. Empty when the light is so
+// close to the near plane that the hull has no volume to speak of: nothing can then be said to lie outside.
 std::vector<glm::dvec4> makeNearVolume(const View& view, const Light& light)
 {
   const std::array<glm::dvec3, 4>& nearWC = view.nearWC;
@@ -55,8 +57,8 @@ std::vector<glm::dvec4> makeNearVolume(const View& view, const Light& light)
   std::vector<glm::dvec4> planes;
   const glm::dvec3 base = height > 0.0 ? nearNormal : -nearNormal;
   planes.emplace_back(base, -glm::dot(base, centre));
-  const glm::dvec3 inside = light.positionWC.w == 0.0 ? centre + size * glm::normalize(toLight)
-                                                      : centre + 0.5 * toLight;
+  const glm::dvec3 inside =
+      light.positionWC.w == 0.0 ? centre + size * glm::normalize(toLight) : centre + 0.5 * toLight;
   for (std::size_t i = 0; i < 4; ++i)
   {
     const glm::dvec3& a = nearWC[i];
@@ -87,24 +89,23 @@ bool lightOutsideBoundingSphere(const Light& light, const BoxCorners& corners)
   {
     radius = std::max(radius, glm::distance(centre, corner));
   }
-  return light.positionWC.w == 0.0 || glm::distance(glm::dvec3(light.positionWC), centre) > radius * (1.0 + 1e-6);
+  return light.positionWC.w == 0.0 ||
+         glm::distance(glm::dvec3(light.positionWC), centre) > radius * (1.0 + 1e-6);
 }
 
 // A shared geode goes by the name of what places it.
 std::string nameOf(const NodePath& path)
 {
-  const auto named = std::find_if(path.rbegin(), path.rend(), [](const Node* node) { return !node->name.empty(); });
+  const auto named =
+      std::find_if(path.rbegin(), path.rend(), [](const Node* node) { return !node->name.empty(); });
   return named != path.rend() ? (*named)->name : "";
 }
 
 } // namespace
 
-CasterCuller::CasterCuller(const View& theView, const std::vector<Light>& theLights, const SceneBounds& bounds,
-                           StencilMethod theMethod)
-  : view(theView)
-  , lights(theLights)
-  , method(theMethod)
-  , sceneBounds(bounds)
+CasterCuller::CasterCuller(const View& theView, const std::vector<Light>& theLights,
+                           const SceneBounds& bounds, StencilMethod theMethod)
+    : view(theView), lights(theLights), method(theMethod), sceneBounds(bounds)
 {
   const glm::dvec3& lower = sceneBounds.lowerWC;
   const glm::dvec3& upper = sceneBounds.upperWC;
@@ -171,12 +172,14 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners,
   const std::vector<glm::dvec4>& nearVolume = this->nearVolumes[lightPlace];
   const bool nearIsLit = std::any_of(nearVolume.begin(), nearVolume.end(),
                                      [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
-  const bool zPass = this->method == StencilMethod::ZPass || (this->method == StencilMethod::Auto && nearIsLit);
+  const bool zPass =
+      this->method == StencilMethod::ZPass || (this->method == StencilMethod::Auto && nearIsLit);
   result.count = zPass ? StencilCount::ZPass : StencilCount::ZFail;
   result.farPlaneWC = this->chooseFarPlane(light, corners, result.count);
   if (zPass)
   {
-    // A cap lies on the caster's own surface, so it is in front of what is seen only where that surface is not drawn.
+    // A cap lies on the caster's own surface, so it is in front of what is seen only where that surface is
+    // not drawn.
     result.lightCap = this->getFaceCulling() != FaceCulling::None;
     return result;
   }
@@ -190,14 +193,16 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners,
   return result;
 }
 
-// A floor, a wall: a flat caster cannot shadow itself, and all of the scene is on the light's side of it or in its plane.
-bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& modelToWorld, const Light& light) const
+// A floor, a wall: a flat caster cannot shadow itself, and all of the scene is on the light's side of it or
+// in its plane.
+bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& wcFromModel,
+                                 const Light& light) const
 {
   if (!geometry.getCommonPlane())
   {
     return false;
   }
-  const glm::dmat4 worldFromMC = glm::translate(modelToWorld, geometry.getOrigin());
+  const glm::dmat4 worldFromMC = glm::translate(wcFromModel, geometry.getOrigin());
   glm::dvec4 plane = *geometry.getCommonPlane() * glm::inverse(worldFromMC);
   plane /= glm::length(glm::dvec3(plane));
   plane = glm::dot(plane, light.positionWC) < 0.0 ? -plane : plane;
@@ -209,9 +214,11 @@ bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& 
   return glm::dot(plane, glm::dvec4(deepest, 1.0)) >= -1e-6 * glm::distance(lower, upper);
 }
 
-// A side of the scene's bounding box that all the caster's shadow runs into: what lies behind it receives nothing, so the
-// volume can end there and covers far fewer pixels than one that goes on for ever. The plane at infinity if there is none.
-glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const BoxCorners& corners, StencilCount count) const
+// A side of the scene's bounding box that all the caster's shadow runs into: what lies behind it receives
+// nothing, so the volume can end there and covers far fewer pixels than one that goes on for ever. The plane
+// at infinity if there is none.
+glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const BoxCorners& corners,
+                                        StencilCount count) const
 {
   glm::dvec4 best(0.0, 0.0, 0.0, 1.0);
   double shortest = std::numeric_limits<double>::max();
@@ -221,9 +228,9 @@ glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const BoxCorners& co
     // Z-pass draws no cap there, so none of it may be seen: the near rectangle has to be on the inner side.
     const bool nearInside =
         count == StencilCount::ZFail ||
-        std::all_of(this->view.nearWC.begin(), this->view.nearWC.end(), [&](const glm::dvec3& corner) {
-          return glm::dot(plane, glm::dvec4(corner, 1.0)) > slack(plane, corner);
-        });
+        std::all_of(this->view.nearWC.begin(), this->view.nearWC.end(),
+                    [&](const glm::dvec3& corner)
+                    { return glm::dot(plane, glm::dvec4(corner, 1.0)) > slack(plane, corner); });
     double longest = 0.0;
     bool reached = nearInside && lightHeight > 0.0;
     for (const glm::dvec3& corner : corners)

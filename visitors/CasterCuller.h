@@ -24,11 +24,12 @@ enum class StencilMethod
   ZFail
 };
 
-/// Asks of each caster and light: can its shadow be seen, must it be counted by z-pass or z-fail, and with which caps?
+/// Asks of each caster and light: can its shadow be seen, must it be counted by z-pass or z-fail, and with
+/// which caps?
 ///
-/// Every answer is conservative, from bounding boxes: a caster is left out, and z-pass is chosen, only where that is
-/// sure to be right. Z-pass fails only when the caster's shadow covers a part of the near rectangle, that is when the
-/// caster meets the volume between near rectangle and light.
+/// Every answer is conservative, from bounding boxes: a caster is left out, and z-pass is chosen, only where
+/// that is sure to be right. Z-pass fails only when the caster's shadow covers a part of the near rectangle,
+/// that is when the caster meets the volume between near rectangle and light.
 ///
 /// @par Source  Everitt & Kilgard 2002 ("near-clip volume"); Lengyel 2002
 class CasterCuller : public NodeVisitor
@@ -51,12 +52,12 @@ public:
   void apply(SEDGeode& geode) override;
 
   const std::set<Skipped>& getSkipped() const { return this->skipped; }
-  int getCasters() const { return this->casters; }            ///< counted once for each path and light
+  int getCasters() const { return this->casters; } ///< counted once for each path and light
   int getZFailCasters() const { return this->zFailCasters; }
 
 private:
   CasterPlan plan(std::size_t lightPlace, const BoxCorners& corners, bool inView) const;
-  bool nothingBehind(const SEDGeometry& geometry, const glm::dmat4& modelToWorld, const Light& light) const;
+  bool nothingBehind(const SEDGeometry& geometry, const glm::dmat4& wcFromModel, const Light& light) const;
   glm::dvec4 chooseFarPlane(const Light& light, const BoxCorners& corners, StencilCount count) const;
 
   const View& view;

@@ -22,7 +22,8 @@ void DrawVisitor::apply(SEDGeode& geode)
     return;
   }
   const auto light = path.lights.find(geode.renderMode.light);
-  if (light != path.lights.end() && light->second.plan.count == geode.renderMode.count && light->second.extruded)
+  if (light != path.lights.end() && light->second.plan.count == geode.renderMode.count &&
+      light->second.extruded)
   {
     this->drawVolumes(geode, light->second, geode.renderMode.count);
   }
@@ -66,7 +67,8 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
   const bool mirrored = this->setMatrices(geode);
   setUniform(this->pass.program, "lightMC", light.lightMC);
   // A plane goes the other way: as a row vector from the left.
-  glm::dvec4 farPlaneMC = light.plan.farPlaneWC * glm::translate(this->getModelToWorld(), geode.getGeometry().getOrigin());
+  glm::dvec4 farPlaneMC =
+      light.plan.farPlaneWC * glm::translate(this->getModelToWorld(), geode.getGeometry().getOrigin());
   farPlaneMC /= std::max(glm::length(glm::dvec3(farPlaneMC)), std::abs(farPlaneMC.w));
   setUniform(this->pass.program, "farPlaneMC", farPlaneMC);
   SEDGeometryDrawable& geometry = this->pass.drawables->getGeometry(geode.getSharedGeometry());

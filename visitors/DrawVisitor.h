@@ -38,8 +38,8 @@ public:
     vtkShaderProgram* program = nullptr;
     DrawableCache* drawables = nullptr;
     const View* view = nullptr;
-    glm::dmat4 clipFromWC{1.0};                 ///< with the depth row of the shadow stages
-    bool reversedDepth = true;                  ///< see DepthRange
+    glm::dmat4 clipFromWC{1.0};                ///< with the depth row of the shadow stages
+    bool reversedDepth = true;                 ///< see DepthRange
     std::function<void(std::size_t)> makeRoom; ///< called before a volume with its overlap bound
   };
 

@@ -87,7 +87,8 @@ void SEDVisitor::face(SEDGeode& geode, PathState& path)
   for (const Light& light : this->lights)
   {
     PathLightState& state = path.lights[light.index];
-    const std::optional<glm::dvec4> lightMC = lightToModel(light, this->getModelToWorld(), geometry.getOrigin());
+    const std::optional<glm::dvec4> lightMC =
+        lightToModel(light, this->getModelToWorld(), geometry.getOrigin());
     if (!lightMC)
     {
       // The transform flattens the geode: there is no inside to cast from.

@@ -13,7 +13,8 @@ namespace shadow
 /// Has every SEDGeode build or refresh, for each light, the facing of its triangles or its shadow volume.
 /// What belongs to an unchanged light, transform and plan is kept.
 ///
-/// Two walks, so that the GL can work on the pre-pass, which needs the facing, while the CPU finds silhouettes.
+/// Two walks, so that the GL can work on the pre-pass, which needs the facing, while the CPU finds
+/// silhouettes.
 ///
 /// @pre  the CasterCuller has been here before
 /// @par Source  Shi 2006, chapter 4.2.2
@@ -27,9 +28,7 @@ public:
   };
 
   SEDVisitor(Stage theStage, const std::vector<Light>& theLights, const SilhouetteFinder& theFinder)
-    : stage(theStage)
-    , lights(theLights)
-    , finder(theFinder)
+      : stage(theStage), lights(theLights), finder(theFinder)
   {
   }
 

@@ -15,7 +15,7 @@ struct SceneBounds
 {
   glm::dvec3 lowerWC{std::numeric_limits<double>::max()};
   glm::dvec3 upperWC{std::numeric_limits<double>::lowest()};
-  double nearest = 0.0;  ///< distances in front of the view's near plane
+  double nearest = 0.0; ///< distances in front of the view's near plane
   double farthest = 0.0;
 
   bool isEmpty() const { return this->lowerWC.x > this->upperWC.x; }

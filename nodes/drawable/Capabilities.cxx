@@ -17,7 +17,8 @@ bool hasExtension(const char* name)
   glGetIntegerv(GL_NUM_EXTENSIONS, &count);
   for (GLint i = 0; i < count; ++i)
   {
-    if (std::strcmp(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))), name) == 0)
+    if (std::strcmp(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))),
+                    name) == 0)
     {
       return true;
     }
@@ -42,7 +43,8 @@ Capabilities queryCapabilities()
     return capabilities;
   }
   capabilities.usable = true;
-  capabilities.clipControl = (version >= 45 || hasExtension("GL_ARB_clip_control")) && glClipControl != nullptr;
+  capabilities.clipControl =
+      (version >= 45 || hasExtension("GL_ARB_clip_control")) && glClipControl != nullptr;
   GLint integerSamples = 1;
   GLint depthSamples = 1;
   glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integerSamples);

@@ -12,7 +12,8 @@
 namespace shadow
 {
 
-/// The GPU copies of what a scene graph holds, made when first asked for and freed when not asked for any longer.
+/// The GPU copies of what a scene graph holds, made when first asked for and freed when not asked for any
+/// longer.
 class DrawableCache
 {
 public:

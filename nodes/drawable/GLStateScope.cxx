@@ -30,29 +30,15 @@ void setEnabled(GLenum name, bool enabled)
 } // namespace
 
 GLStateScope::GLStateScope(vtkOpenGLState* vtkState, bool hasClipControl)
-  : state(vtkState)
-  , viewport(vtkState)
-  , scissor(vtkState)
-  , colorMask(vtkState)
-  , depthMask(vtkState)
-  , depthFunc(vtkState)
-  , activeTexture(vtkState)
-  , scissorTest(vtkState, GL_SCISSOR_TEST)
-  , depthTest(vtkState, GL_DEPTH_TEST)
-  , stencilTest(vtkState, GL_STENCIL_TEST)
-  , blend(vtkState, GL_BLEND)
-  , cullFace(vtkState, GL_CULL_FACE)
-  , front(readStencil(true))
-  , back(readStencil(false))
-  , cullFaceMode(getInteger(GL_CULL_FACE_MODE))
-  , frontFace(getInteger(GL_FRONT_FACE))
-  , provokingVertex(getInteger(GL_PROVOKING_VERTEX))
-  , logicOpMode(getInteger(GL_LOGIC_OP_MODE))
-  , stencilClear(getInteger(GL_STENCIL_CLEAR_VALUE))
-  , logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE)
-  , depthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE)
-  , polygonOffset(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE)
-  , clipControl(hasClipControl)
+    : state(vtkState), viewport(vtkState), scissor(vtkState), colorMask(vtkState), depthMask(vtkState),
+      depthFunc(vtkState), activeTexture(vtkState), scissorTest(vtkState, GL_SCISSOR_TEST),
+      depthTest(vtkState, GL_DEPTH_TEST), stencilTest(vtkState, GL_STENCIL_TEST), blend(vtkState, GL_BLEND),
+      cullFace(vtkState, GL_CULL_FACE), front(readStencil(true)), back(readStencil(false)),
+      cullFaceMode(getInteger(GL_CULL_FACE_MODE)), frontFace(getInteger(GL_FRONT_FACE)),
+      provokingVertex(getInteger(GL_PROVOKING_VERTEX)), logicOpMode(getInteger(GL_LOGIC_OP_MODE)),
+      stencilClear(getInteger(GL_STENCIL_CLEAR_VALUE)), logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE),
+      depthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE),
+      polygonOffset(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE), clipControl(hasClipControl)
 {
   glGetIntegerv(GL_POLYGON_MODE, this->polygonMode);
   if (this->clipControl)

@@ -5,8 +5,8 @@
 namespace shadow
 {
 
-/// Keeps the GL state that the shadow stages change and puts it back at the end: VTK's part through vtkOpenGLState, the
-/// rest by asking the GL.
+/// Keeps the GL state that the shadow stages change and puts it back at the end: VTK's part through
+/// vtkOpenGLState, the rest by asking the GL.
 class GLStateScope
 {
 public:

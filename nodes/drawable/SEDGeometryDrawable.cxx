@@ -18,7 +18,8 @@ namespace
 
 struct PrePassMesh
 {
-  std::vector<glm::vec3> positions; ///< [t] is the last corner of triangle t; after these, corners that are last nowhere
+  std::vector<glm::vec3>
+      positions; ///< [t] is the last corner of triangle t; after these, corners that are last nowhere
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
@@ -54,7 +55,8 @@ PrePassMesh giveTrianglesTheirOwnVertex(const SEDGeometry& geometry)
 }
 
 template <class Element>
-std::size_t uploadBuffer(GLenum target, unsigned int buffer, const std::vector<Element>& elements, GLenum usage)
+std::size_t uploadBuffer(GLenum target, unsigned int buffer, const std::vector<Element>& elements,
+                         GLenum usage)
 {
   const std::size_t size = elements.size() * sizeof(Element);
   glBindBuffer(target, buffer);
@@ -88,8 +90,7 @@ void ReachableBitsBuffer::release(bool contextLost)
 }
 
 SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& sedGeometry)
-  : geometry(sedGeometry)
-  , triangles(sedGeometry.getTriangles().size())
+    : geometry(sedGeometry), triangles(sedGeometry.getTriangles().size())
 {
   const PrePassMesh mesh = giveTrianglesTheirOwnVertex(sedGeometry);
   this->vertices = mesh.positions.size();
@@ -147,12 +148,13 @@ void SEDGeometryDrawable::sortByWinding()
 {
   PrePassMesh mesh = giveTrianglesTheirOwnVertex(this->geometry);
   const FacingBits& reversed = this->geometry.getInputReversed();
-  const auto firstReversed =
-      std::stable_partition(mesh.triangles.begin(), mesh.triangles.end(),
-                            [&](const std::array<std::uint32_t, 3>& corners) { return !reversed.test(corners[2]); });
+  const auto firstReversed = std::stable_partition(mesh.triangles.begin(), mesh.triangles.end(),
+                                                   [&](const std::array<std::uint32_t, 3>& corners)
+                                                   { return !reversed.test(corners[2]); });
   this->unreversedTriangles = static_cast<std::size_t>(firstReversed - mesh.triangles.begin());
   glGenBuffers(1, &this->sortedIndexBuffer);
-  this->bytes += uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer, mesh.triangles, GL_STATIC_DRAW);
+  this->bytes +=
+      uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer, mesh.triangles, GL_STATIC_DRAW);
 }
 
 void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, vtkShaderProgram* program,

@@ -23,7 +23,8 @@ public:
   ReachableBitsBuffer& operator=(const ReachableBitsBuffer&) = delete;
 
   /// @param bits      a triangle, see PathState::reachableBits
-  /// @param vertices  of the SEDGeometryDrawable; those beyond the triangles' own are never looked at, but are fetched
+  /// @param vertices  of the SEDGeometryDrawable; those beyond the triangles' own are never looked at, but
+  /// are fetched
   void upload(const std::vector<glm::uvec2>& bits, std::size_t vertices);
 
   unsigned int getBuffer() const { return this->buffer; }
@@ -40,9 +41,10 @@ private:
 
 /// The GPU copy of a SEDGeometry.
 ///
-/// For the volumes each vertex stands there twice: near and far copy. For the pre-pass each triangle has a vertex of its
-/// own, its last in raster order, that carries the triangle's bits; the other corners are shared. This spares the
-/// gl_PrimitiveID that would make a software rasteriser copy every corner of every triangle.
+/// For the volumes each vertex stands there twice: near and far copy. For the pre-pass each triangle has a
+/// vertex of its own, its last in raster order, that carries the triangle's bits; the other corners are
+/// shared. This spares the gl_PrimitiveID that would make a software rasteriser copy every corner of every
+/// triangle.
 class SEDGeometryDrawable
 {
 public:
@@ -56,7 +58,8 @@ public:
   /// Draws all triangles with the current pre-pass program. @pre the last vertex provokes
   void draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits);
 
-  /// The same without one side of each triangle. @param hiddenSide  GL_FRONT or GL_BACK, by the input's winding
+  /// The same without one side of each triangle. @param hiddenSide  GL_FRONT or GL_BACK, by the input's
+  /// winding
   void drawCulled(vtkOpenGLState* state, vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits,
                   unsigned int hiddenSide);
 
@@ -79,7 +82,7 @@ private:
   unsigned int vertexBuffer = 0;
   unsigned int indexBuffer = 0;
   unsigned int volumeVertexBuffer = 0;
-  unsigned int sortedIndexBuffer = 0; ///< triangles whose raster order is the input's come first
+  unsigned int sortedIndexBuffer = 0;  ///< triangles whose raster order is the input's come first
   std::size_t unreversedTriangles = 0; ///< these
   std::size_t triangles = 0;
   std::size_t vertices = 0;

@@ -12,7 +12,8 @@ class vtkShaderProgram;
 namespace shadow
 {
 
-/// The GPU copy of a ShadowVolume: indices into the vertices of a SEDGeometryDrawable. Draws it into the stencil.
+/// The GPU copy of a ShadowVolume: indices into the vertices of a SEDGeometryDrawable. Draws it into the
+/// stencil.
 class ShadowVolumeDrawable
 {
 public:
@@ -22,11 +23,11 @@ public:
 
   void upload(const ShadowVolume& volume);
 
-  /// Counts the volume: +1 for each of its faces that is entered, -1 for each that is left, in front of the surface
-  /// (z-pass) or the other way round behind it (z-fail).
+  /// Counts the volume: +1 for each of its faces that is entered, -1 for each that is left, in front of the
+  /// surface (z-pass) or the other way round behind it (z-fail).
   ///
-  /// Sides are drawn a few units of rounding farther: where one starts at the edge of a lit surface it would else be a
-  /// matter of rounding whether it is in front of that surface.
+  /// Sides are drawn a few units of rounding farther: where one starts at the edge of a lit surface it would
+  /// else be a matter of rounding whether it is in front of that surface.
   ///
   /// @param reversedDepth  see DepthRange
   /// @param mirrored  a face wound counter-clockwise in model space is clockwise on the screen

@@ -33,7 +33,8 @@ unsigned int StencilTarget::getTextureTarget() const
   return this->samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
 }
 
-unsigned int StencilTarget::makeTexture(unsigned int internalFormat, unsigned int format, unsigned int type) const
+unsigned int StencilTarget::makeTexture(unsigned int internalFormat, unsigned int format,
+                                        unsigned int type) const
 {
   const GLenum target = this->getTextureTarget();
   GLuint texture = 0;
@@ -45,7 +46,8 @@ unsigned int StencilTarget::makeTexture(unsigned int internalFormat, unsigned in
   }
   else
   {
-    glTexImage2D(target, 0, static_cast<GLint>(internalFormat), this->width, this->height, 0, format, type, nullptr);
+    glTexImage2D(target, 0, static_cast<GLint>(internalFormat), this->width, this->height, 0, format, type,
+                 nullptr);
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
@@ -57,28 +59,37 @@ unsigned int StencilTarget::makeTexture(unsigned int internalFormat, unsigned in
 bool StencilTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newSamples,
                              std::string& error)
 {
-  if (this->framebuffer != 0 && newWidth == this->width && newHeight == this->height && newSamples == this->samples)
+  if (this->framebuffer != 0 && newWidth == this->width && newHeight == this->height &&
+      newSamples == this->samplesAskedFor)
   {
     return true;
   }
   this->release();
   this->width = newWidth;
   this->height = newHeight;
-  this->samples = newSamples;
+  this->samples = this->samplesAskedFor = newSamples;
   this->maskTexture = this->makeTexture(GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
   this->depthTexture =
       this->makeTexture(GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV);
+  if (newSamples > 1)
+  {
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, this->maskTexture);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &this->samples);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+  }
   glGenVertexArrays(1, &this->emptyVertexArray);
   glGenFramebuffers(1, &this->framebuffer);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->getTextureTarget(), this->maskTexture, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, this->getTextureTarget(), this->depthTexture, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->getTextureTarget(), this->maskTexture,
+                         0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, this->getTextureTarget(),
+                         this->depthTexture, 0);
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
   {
     this->release();
-    error = "the GL refuses a stencil target of " + std::to_string(newWidth) + " x " + std::to_string(newHeight) +
-            " pixels with " + std::to_string(newSamples) + " samples";
+    error = "the GL refuses a stencil target of " + std::to_string(newWidth) + " x " +
+            std::to_string(newHeight) + " pixels with " + std::to_string(newSamples) + " samples";
     return false;
   }
   return true;
@@ -102,7 +113,8 @@ void StencilTarget::begin(vtkOpenGLState* state, bool reversedDepth)
   glClearBufferfi(GL_DEPTH_STENCIL, 0, reversedDepth ? 0.0f : 1.0f, 0);
 }
 
-bool StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth)
+bool StencilTarget::foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light,
+                                bool reversedDepth)
 {
   vtkShaderProgram* program = programs.use(ShadowPrograms::Mask, false);
   if (program == nullptr)
@@ -149,9 +161,8 @@ std::vector<unsigned char> StencilTarget::readMask(vtkOpenGLRenderWindow* window
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   readPixels(state, this->width, this->height, GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
   state->PopFramebufferBindings();
-  std::transform(words.begin(), words.end(), mask.begin(), [light](GLuint word) {
-    return static_cast<unsigned char>((word >> light) & 1u ? 255 : 0);
-  });
+  std::transform(words.begin(), words.end(), mask.begin(),
+                 [light](GLuint word) { return static_cast<unsigned char>((word >> light) & 1u ? 255 : 0); });
   return mask;
 }
 
@@ -203,7 +214,7 @@ void StencilTarget::release(bool contextLost)
     glDeleteVertexArrays(1, &this->emptyVertexArray);
   }
   this->framebuffer = this->maskTexture = this->depthTexture = this->emptyVertexArray = 0;
-  this->width = this->height = this->samples = 0;
+  this->width = this->height = this->samples = this->samplesAskedFor = 0;
 }
 
 std::size_t StencilTarget::getMemorySize() const

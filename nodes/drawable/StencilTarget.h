@@ -12,8 +12,8 @@ namespace shadow
 
 class ShadowPrograms;
 
-/// The render target of the shadow stages: 32-bit float depth, 8-bit stencil, and the shadow mask with one bit for each
-/// of 32 lights, all with the same number of samples.
+/// The render target of the shadow stages: 32-bit float depth, 8-bit stencil, and the shadow mask with one
+/// bit for each of 32 lights, all with the same number of samples.
 class StencilTarget
 {
 public:
@@ -28,12 +28,12 @@ public:
   /// Binds the target, sets the viewport and clears: mask all reached, depth farthest, stencil 0.
   void begin(vtkOpenGLState* state, bool reversedDepth);
 
-  /// Where the stencil is not zero and there is a surface, takes the light's bit out of the mask. Sets the stencil back to
-  /// zero. @return false when the shader does not compile
+  /// Where the stencil is not zero and there is a surface, takes the light's bit out of the mask. Sets the
+  /// stencil back to zero. @return false when the shader does not compile
   bool foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
 
-  /// Copies the mask's bit of a light: width * height values, bottom row first; 255 reached, 0 shadowed, between for
-  /// pixels whose samples differ.
+  /// Copies the mask's bit of a light: width * height values, bottom row first; 255 reached, 0 shadowed,
+  /// between for pixels whose samples differ.
   std::vector<unsigned char> readMask(vtkOpenGLRenderWindow* window, int light);
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
@@ -44,8 +44,8 @@ public:
   unsigned int getTextureTarget() const; ///< GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE
   int getWidth() const { return this->width; }
   int getHeight() const { return this->height; }
-  int getSamples() const { return this->samples; }
-  std::size_t getMemorySize() const; ///< bytes
+  int getSamples() const { return this->samples; } ///< what the GL gave; may be more than was asked for
+  std::size_t getMemorySize() const;               ///< bytes
 
 private:
   void readResolved(vtkOpenGLRenderWindow* window, int light, std::vector<unsigned char>& mask);
@@ -58,6 +58,7 @@ private:
   int width = 0;
   int height = 0;
   int samples = 0;
+  int samplesAskedFor = 0;
 };
 
 } // namespace shadow

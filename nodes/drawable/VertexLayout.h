@@ -17,8 +17,8 @@ inline void bindFloats(vtkShaderProgram* program, const char* attribute, unsigne
   // Programs are linked without fixed locations, so the attribute is bound for each draw.
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
   program->EnableAttributeArray(attribute);
-  program->UseAttributeArray(attribute, 0, static_cast<std::size_t>(tupleSize) * sizeof(float), VTK_FLOAT, tupleSize,
-                             vtkShaderProgram::NoNormalize);
+  program->UseAttributeArray(attribute, 0, static_cast<std::size_t>(tupleSize) * sizeof(float), VTK_FLOAT,
+                             tupleSize, vtkShaderProgram::NoNormalize);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 

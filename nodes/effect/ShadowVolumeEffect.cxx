@@ -1,32 +1,24 @@
 #include "ShadowVolumeEffect.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
-#include "DrawVisitor.h"
 #include "GLStateScope.h"
 #include "OpenGL.h"
 #include "SEDVisitor.h"
 #include "SVStateVisitor.h"
 #include "SceneBoundsVisitor.h"
 #include "ShadowPrograms.h"
+#include "Stopwatch.h"
 
 namespace shadow
 {
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 void finishStage(bool wait)
 {
@@ -38,8 +30,9 @@ void finishStage(bool wait)
 
 } // namespace
 
-bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& view, const std::vector<Light>& lights,
-                                    const Settings& settings, std::string& error)
+bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& view,
+                                    const std::vector<Light>& lights, const Settings& settings,
+                                    std::string& error)
 {
   this->statistics = {};
   if (!this->capabilitiesKnown)
@@ -66,31 +59,31 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
     return true;
   }
 
-  Clock::time_point start = Clock::now();
+  Stopwatch stage;
   const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
   this->face(view, lights, settings, *finder);
-  this->statistics.silhouetteMilliseconds = millisecondsSince(start);
+  this->statistics.silhouetteMilliseconds = stage.getMilliseconds();
 
-  start = Clock::now();
+  stage = {};
   bool drawn = this->drawPrePass(window, view);
   finishStage(settings.waitAfterStages);
-  this->statistics.prePassMilliseconds = millisecondsSince(start);
+  this->statistics.prePassMilliseconds = stage.getMilliseconds();
 
-  start = Clock::now();
+  stage = {};
   // The GL starts on the pre-pass while silhouettes are found.
   glFlush();
   SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder);
   this->accept(extruder);
   this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
-  this->statistics.silhouetteMilliseconds += millisecondsSince(start);
+  this->statistics.silhouetteMilliseconds += stage.getMilliseconds();
 
-  start = Clock::now();
+  stage = {};
   for (const Light& light : lights)
   {
     drawn = drawn && this->drawVolumes(window, view, light);
   }
   finishStage(settings.waitAfterStages);
-  this->statistics.stencilMilliseconds = millisecondsSince(start);
+  this->statistics.stencilMilliseconds = stage.getMilliseconds();
   this->drawables.sweep();
   if (!drawn)
   {
@@ -128,6 +121,19 @@ void ShadowVolumeEffect::chooseDepthRange(const View& view, const SceneBounds& b
   }
 }
 
+DrawVisitor::Pass ShadowVolumeEffect::makeDrawPass(vtkOpenGLState* state, vtkShaderProgram* program,
+                                                   const View& view)
+{
+  DrawVisitor::Pass pass;
+  pass.state = state;
+  pass.program = program;
+  pass.drawables = &this->drawables;
+  pass.view = &view;
+  pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
+  pass.reversedDepth = this->depthRange.reversed;
+  return pass;
+}
+
 bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& view)
 {
   vtkOpenGLState* state = window->GetState();
@@ -160,13 +166,7 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
   program->SetUniform2f("depthBias", unbiased);
   SVStateVisitor geometryMode(RenderMode{RenderMode::What::Geometry});
   this->accept(geometryMode);
-  DrawVisitor::Pass pass;
-  pass.state = state;
-  pass.program = program;
-  pass.drawables = &this->drawables;
-  pass.view = &view;
-  pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
-  DrawVisitor draw(pass);
+  DrawVisitor draw(this->makeDrawPass(state, program, view));
   this->accept(draw);
   this->statistics.prePassTriangles = draw.getCounts().geometry;
   return true;
@@ -182,7 +182,8 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
   bool open = false;
   bool usable = true;
 
-  const auto openStencil = [&] {
+  const auto openStencil = [&]
+  {
     program = programs.use(ShadowPrograms::Volume, view.parallel);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthFunc(this->depthRange.reversed ? GL_GREATER : GL_LESS);
@@ -193,7 +194,8 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     open = true;
     return program;
   };
-  const auto fold = [&] {
+  const auto fold = [&]
+  {
     usable = this->target.foldStencil(state, programs, light.index, this->depthRange.reversed) && usable;
     counted = 0;
     open = false;
@@ -207,14 +209,9 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     {
       return false;
     }
-    DrawVisitor::Pass pass;
-    pass.state = state;
-    pass.program = program;
-    pass.drawables = &this->drawables;
-    pass.view = &view;
-    pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
-    pass.reversedDepth = this->depthRange.reversed;
-    pass.makeRoom = [&](std::size_t bound) {
+    DrawVisitor::Pass pass = this->makeDrawPass(state, program, view);
+    pass.makeRoom = [&](std::size_t bound)
+    {
       if (counted + bound > mostCountable && counted > 0)
       {
         fold();

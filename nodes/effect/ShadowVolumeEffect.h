@@ -8,6 +8,7 @@
 
 #include "Capabilities.h"
 #include "CasterCuller.h"
+#include "DrawVisitor.h"
 #include "DrawableCache.h"
 #include "Light.h"
 #include "Node.h"
@@ -17,12 +18,14 @@
 #include "View.h"
 
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
+class vtkShaderProgram;
 
 namespace shadow
 {
 
-/// Root of the scene graph, and the passes that turn the graph below it into a shadow mask (the thesis's ShadowVolume
-/// effect, with the silhouette found on the CPU).
+/// Root of the scene graph, and the passes that turn the graph below it into a shadow mask (the thesis's
+/// ShadowVolume effect, with the silhouette found on the CPU).
 ///
 /// 1. CasterCuller and SEDVisitor bring volumes up to date
 /// 2. pre-pass: depth of all geometry, and which lights its visible side faces
@@ -75,6 +78,7 @@ public:
 private:
   void face(const View& view, const std::vector<Light>& lights, const Settings& settings,
             const SilhouetteFinder& finder);
+  DrawVisitor::Pass makeDrawPass(vtkOpenGLState* state, vtkShaderProgram* program, const View& view);
   bool drawPrePass(vtkOpenGLRenderWindow* window, const View& view);
   bool drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light);
   void chooseDepthRange(const View& view, const SceneBounds& bounds);

@@ -27,7 +27,8 @@ std::size_t countCasting(const LightFacing& facing, Casting casting);
 /// side.
 ///
 /// @param lightMC  relative to the geometry's origin; w = 0: direction towards the light
-/// @par Cost    O(s log s) for s silhouette edges; O(triangles) more when a point light lies inside the bounding
+/// @par Cost    O(s log s) for s silhouette edges; O(triangles) more when a point light lies inside the
+/// bounding
 ///              sphere
 std::size_t boundOverlap(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
                          const LightFacing& facing, Casting casting, const glm::dvec4& lightMC);

@@ -17,8 +17,8 @@ std::size_t bytesOf(const std::vector<T>& values)
 std::size_t SEDGeometry::getMemorySize() const
 {
   return bytesOf(this->positions) + bytesOf(this->triangles) + bytesOf(this->reversed.getWords()) +
-         bytesOf(this->inputReversed.getWords()) +
-         bytesOf(this->planes) + bytesOf(this->planeErrors) + bytesOf(this->edges);
+         bytesOf(this->inputReversed.getWords()) + bytesOf(this->planes) + bytesOf(this->planeErrors) +
+         bytesOf(this->edges);
 }
 
 } // namespace shadow

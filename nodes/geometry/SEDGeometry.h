@@ -110,8 +110,8 @@ public:
   /// True when no edge is a border: the mesh then bounds a solid (of one or more components).
   bool isClosed() const { return this->report.borderEdges == 0 && !this->triangles.empty(); }
 
-  /// The plane that all vertices lie in, up to one part in a million of the mesh's size: dot(plane, (p, 1)) = 0, relative
-  /// to the origin, normalised. Nothing when there is none.
+  /// The plane that all vertices lie in, up to one part in a million of the mesh's size: dot(plane, (p, 1)) =
+  /// 0, relative to the origin, normalised. Nothing when there is none.
   const std::optional<glm::dvec4>& getCommonPlane() const { return this->commonPlane; }
 
   /// Bounding box relative to the origin; lower > upper when the geometry is empty.

@@ -42,14 +42,14 @@ struct ShadowVolume
   using Triangle = std::array<std::uint32_t, 3>;
 
   Casting casting = Casting::EveryTriangle;
-  std::vector<Triangle> sides;    ///< two a quad; one where the far copies coincide
-  std::vector<Triangle> lightCap; ///< near copies in raster order, counter-clockwise from outside
+  std::vector<Triangle> sides;            ///< two a quad; one where the far copies coincide
+  std::vector<Triangle> lightCap;         ///< near copies in raster order, counter-clockwise from outside
   std::vector<Triangle> lightCapReversed; ///< near copies in raster order, clockwise from outside: a cap must
                                           ///< keep the raster order of the surface it lies on, so its stencil
                                           ///< operations are swapped instead of its vertices
-  std::vector<Triangle> darkCap;   ///< far copies; empty where they coincide
-  std::size_t silhouetteEdges = 0; ///< with multiplicity
-  std::size_t overlapBound = 0;    ///< no ray from the light enters the volume more often than this
+  std::vector<Triangle> darkCap;          ///< far copies; empty where they coincide
+  std::size_t silhouetteEdges = 0;        ///< with multiplicity
+  std::size_t overlapBound = 0;           ///< no ray from the light enters the volume more often than this
 
   std::size_t getTriangleCount() const
   {
@@ -95,7 +95,8 @@ Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 /// Turns a silhouette into the faces of the shadow volume.
 ///
 /// @param silhouette  as found by a silhouette method for the same @p facing and @p casting
-/// @post  without caps the sides' near edges are the silhouette; with both caps the volume is a closed surface:
+/// @post  without caps the sides' near edges are the silhouette; with both caps the volume is a closed
+/// surface:
 ///        each edge is run through as often forwards as backwards, once lightCapReversed is turned and, for a
 ///        directional light at infinity, all far copies are taken as one point
 /// @post  overlapBound is the number of casting triangles, or boundOverlap() where that is above 255

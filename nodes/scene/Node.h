@@ -20,7 +20,8 @@ enum class FaceCulling
   Front
 };
 
-/// A part of the scene graph. Nodes may have several parents; what depends on the way down to a node is kept by path.
+/// A part of the scene graph. Nodes may have several parents; what depends on the way down to a node is kept
+/// by path.
 class Node
 {
 public:
@@ -32,10 +33,10 @@ public:
   /// Calls the visitor's apply() for the node's own type.
   virtual void accept(NodeVisitor& visitor) = 0;
 
-  std::string name;                             ///< for messages
-  bool visible = true;                          ///< false: the subgraph is neither drawn nor casts
-  bool casting = true;                          ///< false: the subgraph is drawn but casts nothing
-  FaceCulling faceCulling = FaceCulling::None;  ///< what the subgraph's surfaces hide from the camera
+  std::string name;                            ///< for messages
+  bool visible = true;                         ///< false: the subgraph is neither drawn nor casts
+  bool casting = true;                         ///< false: the subgraph is drawn but casts nothing
+  FaceCulling faceCulling = FaceCulling::None; ///< what the subgraph's surfaces hide from the camera
 };
 
 /// An inner node.

@@ -96,7 +96,8 @@ bool isInvertible(const glm::dmat4& modelToWorld)
          std::isfinite(translation.x + translation.y + translation.z);
 }
 
-std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld, const glm::dvec3& origin)
+std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld,
+                                       const glm::dvec3& origin)
 {
   if (!isInvertible(modelToWorld))
   {

@@ -33,7 +33,8 @@ struct CasterPlan
   StencilCount count = StencilCount::Skip;
   bool lightCap = false;
   DarkCap darkCap = DarkCap::None;
-  glm::dvec4 farPlaneWC{0.0, 0.0, 0.0, 1.0}; ///< where the volume ends, in world space; as it stands: at infinity
+  glm::dvec4 farPlaneWC{0.0, 0.0, 0.0,
+                        1.0};       ///< where the volume ends, in world space; as it stands: at infinity
   const char* skipReason = nullptr; ///< set when the caster could have cast and was left out
 
   bool isFarAtInfinity() const { return this->farPlaneWC == glm::dvec4(0.0, 0.0, 0.0, 1.0); }
@@ -49,11 +50,11 @@ struct CasterPlan
 /// Everything a geode keeps for one path and one light.
 struct PathLightState
 {
-  glm::dvec4 lightMC{0.0};   ///< relative to the geometry's origin; what facing and volume were built for
-  bool faced = false;        ///< facing belongs to lightMC
-  bool extruded = false;     ///< volumes belong to lightMC and plan
-  CasterPlan plan;           ///< for the coming draw
-  CasterPlan extrudedPlan;   ///< what volumes were built for
+  glm::dvec4 lightMC{0.0}; ///< relative to the geometry's origin; what facing and volume were built for
+  bool faced = false;      ///< facing belongs to lightMC
+  bool extruded = false;   ///< volumes belong to lightMC and plan
+  CasterPlan plan;         ///< for the coming draw
+  CasterPlan extrudedPlan; ///< what volumes were built for
   LightFacing facing;
   std::vector<ShadowVolume> volumes; ///< one; more when a ray could enter it over 255 times
   std::uint64_t revision = 0;        ///< another value whenever volumes changed; unique over all geodes
@@ -63,11 +64,12 @@ struct PathLightState
 struct PathState
 {
   glm::dmat4 modelToWorld{1.0};
-  std::map<int, PathLightState> lights;  ///< by Light::index
-  std::vector<glm::uvec2> reachableBits; ///< a triangle: x raster-front, y raster-back; bit i: that side faces light i
-  std::uint64_t reachableRevision = 0;   ///< another value whenever reachableBits changed
-  bool inView = true;                    ///< the geometry may be seen, so that facing is wanted for the pre-pass
-  bool used = false;                     ///< met since the last call of dropUnusedPaths()
+  std::map<int, PathLightState> lights; ///< by Light::index
+  std::vector<glm::uvec2>
+      reachableBits; ///< a triangle: x raster-front, y raster-back; bit i: that side faces light i
+  std::uint64_t reachableRevision = 0; ///< another value whenever reachableBits changed
+  bool inView = true; ///< the geometry may be seen, so that facing is wanted for the pre-pass
+  bool used = false;  ///< met since the last call of dropUnusedPaths()
 };
 
 /// What a geode draws in the coming pass.
@@ -83,7 +85,8 @@ struct RenderMode
   StencilCount count = StencilCount::ZPass; ///< only volumes that are counted this way, for Volume
 };
 
-/// Leaf with a mesh and its adjacency. Shared by any number of parents, it keeps the volumes of each path and light.
+/// Leaf with a mesh and its adjacency. Shared by any number of parents, it keeps the volumes of each path and
+/// light.
 ///
 /// @par Source  Shi 2006, chapter 4.2.2 and figure 4.2
 class SEDGeode : public Node
@@ -131,6 +134,7 @@ bool isInvertible(const glm::dmat4& modelToWorld);
 
 /// A light as a geometry under @p modelToWorld sees it, relative to the geometry's origin.
 /// Nothing when the matrix cannot be inverted.
-std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld, const glm::dvec3& origin);
+std::optional<glm::dvec4> lightToModel(const Light& light, const glm::dmat4& modelToWorld,
+                                       const glm::dvec3& origin);
 
 } // namespace shadow

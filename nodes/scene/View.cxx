@@ -20,7 +20,8 @@ View makeView(const glm::dmat4& clipFromWC, int width, int height)
   const glm::dvec4 w = glm::row(clipFromWC, 3);
   view.planes = {w + x, w - x, w + y, w - y, w + z};
 
-  // A right-handed world becomes left-handed in clip space: the determinant is negative unless something mirrors.
+  // A right-handed world becomes left-handed in clip space: the determinant is negative unless something
+  // mirrors.
   view.mirrored = glm::determinant(clipFromWC) > 0.0;
   view.parallel = glm::length(glm::dvec3(w)) <= 1e-12 * glm::length(glm::dvec3(x));
 
@@ -54,7 +55,8 @@ glm::dmat4 shadowClipFromWC(const View& view, const DepthRange& range)
   }
   else
   {
-    // nearW / w: 1 on the near plane, 0 at infinity. The first term is a constant, so far copies get exactly 0.
+    // nearW / w: 1 on the near plane, 0 at infinity. The first term is a constant, so far copies get exactly
+    // 0.
     const glm::dvec4 nearTerm(0.0, 0.0, 0.0, view.nearW);
     depth = range.reversed ? nearTerm : w - 2.0 * nearTerm;
   }

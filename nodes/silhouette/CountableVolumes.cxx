@@ -29,27 +29,25 @@ FacingBits keepRange(const FacingBits& bits, const Range& range)
   return kept;
 }
 
-/// Divides a range until each part can be counted. A triangle that does not cast has neither bit, so a part is a mesh of
-/// its own: its casting triangles, with borders where it was cut.
+/// Divides a range until each part can be counted. A triangle that does not cast has neither bit, so a part
+/// is a mesh of its own: its casting triangles, with borders where it was cut.
 class VolumeDivider
 {
 public:
-  VolumeDivider(const SEDGeometry& theGeometry, const SilhouetteFinder& theFinder, const LightFacing& theFacing,
-                const glm::dvec4& theLightMC, const ShadowVolumeOptions& theOptions)
-    : geometry(theGeometry)
-    , finder(theFinder)
-    , facing(theFacing)
-    , lightMC(theLightMC)
-    , options(theOptions)
+  VolumeDivider(const SEDGeometry& theGeometry, const SilhouetteFinder& theFinder,
+                const LightFacing& theFacing, const glm::dvec4& theLightMC,
+                const ShadowVolumeOptions& theOptions)
+      : geometry(theGeometry), finder(theFinder), facing(theFacing), lightMC(theLightMC), options(theOptions)
   {
   }
 
   void divide(const Range& range, std::vector<ShadowVolume>& volumes) const
   {
     const LightFacing part = {keepRange(this->facing.towards, range), keepRange(this->facing.away, range)};
-    const std::vector<SilhouetteEdge> silhouette = this->finder.find(this->geometry, part, Casting::EveryTriangle);
-    ShadowVolume volume =
-        extrudeSilhouette(this->geometry, silhouette, part, Casting::EveryTriangle, this->lightMC, this->options);
+    const std::vector<SilhouetteEdge> silhouette =
+        this->finder.find(this->geometry, part, Casting::EveryTriangle);
+    ShadowVolume volume = extrudeSilhouette(this->geometry, silhouette, part, Casting::EveryTriangle,
+                                            this->lightMC, this->options);
     if (volume.overlapBound <= mostCountable || range.last - range.first <= mostCountable)
     {
       if (volume.getTriangleCount() > 0)

@@ -1,5 +1,5 @@
-/* GLX as far as a GL loader asks for it, answered by OSMesa: functions come from OSMesaGetProcAddress, there is no
- * display. Must stand before the system's libGLX and libOpenGL in symbol order, with libOSMesa. */
+/* GLX as far as a GL loader asks for it, answered by OSMesa: functions come from OSMesaGetProcAddress, there
+ * is no display. Must stand before the system's libGLX and libOpenGL in symbol order, with libOSMesa. */
 #include <GL/osmesa.h>
 #include <stddef.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 
 #include <GL/osmesa.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace shadow
@@ -12,9 +13,19 @@ OSMesaContext::OSMesaContext()
   // The highest core profile OSMesa gives; VTK needs 3.2.
   for (const auto& version : {std::pair<int, int>{4, 5}, {3, 3}, {3, 2}})
   {
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8,
-      OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, version.first,
-      OSMESA_CONTEXT_MINOR_VERSION, version.second, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_STENCIL_BITS,
+                              8,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              version.first,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              version.second,
+                              0};
     this->context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (this->context != nullptr)
     {
@@ -42,15 +53,12 @@ bool OSMesaContext::makeCurrent(int newWidth, int newHeight)
   {
     return true;
   }
-  const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(newWidth) * static_cast<std::size_t>(newHeight);
-  if (bytes > this->buffer.size() || newWidth != this->width || newHeight != this->height)
-  {
-    this->buffer.resize(bytes);
-  }
+  this->buffer.resize(std::size_t{4} * static_cast<std::size_t>(newWidth) *
+                      static_cast<std::size_t>(newHeight));
   this->width = newWidth;
   this->height = newHeight;
   return OSMesaMakeCurrent(static_cast<::OSMesaContext>(this->context), this->buffer.data(), GL_UNSIGNED_BYTE,
-           newWidth, newHeight) == GL_TRUE;
+                           newWidth, newHeight) == GL_TRUE;
 }
 
 bool OSMesaContext::isCurrent() const

@@ -6,8 +6,8 @@
 namespace shadow
 {
 
-/// An OSMesa core-profile context with a colour buffer of its own. Knows nothing of VTK: GL/osmesa.h and VTK's GL loader
-/// cannot be included in one file.
+/// An OSMesa core-profile context with a colour buffer of its own. Knows nothing of VTK: GL/osmesa.h and
+/// VTK's GL loader cannot be included in one file.
 class OSMesaContext
 {
 public:

@@ -15,8 +15,7 @@ public:
 vtkStandardNewMacro(vtkHeadlessRenderWindow);
 
 //------------------------------------------------------------------------------
-vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
-  : Internals(new vtkInternals)
+vtkHeadlessRenderWindow::vtkHeadlessRenderWindow() : Internals(new vtkInternals)
 {
 #if VTKSHADOW_WINDOW_LOADS_SYMBOLS
   this->SetOpenGLSymbolLoader(&shadow::OSMesaContext::getFunction, nullptr);

@@ -2,13 +2,14 @@
  * @class   vtkHeadlessRenderWindow
  * @brief   a render window without a display, drawn by OSMesa
  *
- * Owns an OSMesa core-profile context and draws into it in software. Programs that use it must let the symbols of
- * libvtkShadowGLX and libOSMesa come before those of the system's GL: link the CMake target
+ * Owns an OSMesa core-profile context and draws into it in software. Programs that use it must let the
+ * symbols of libvtkShadowGLX and libOSMesa come before those of the system's GL: link the CMake target
  * `vtkShadow::HeadlessFirst`, or in Python `import vtkshadow.headless` before anything of VTK.
  *
  * @par Use
- * `vtkNew<vtkHeadlessRenderWindow> window; window->SetSize(1280, 720); window->AddRenderer(renderer); window->Render();`
- * then vtkWindowToImageFilter (ReadFrontBufferOff) or vtkRenderWindow::GetRGBACharPixelData as with any window.
+ * `vtkNew<vtkHeadlessRenderWindow> window; window->SetSize(1280, 720); window->AddRenderer(renderer);
+ * window->Render();` then vtkWindowToImageFilter (ReadFrontBufferOff) or
+ * vtkRenderWindow::GetRGBACharPixelData as with any window.
  */
 #ifndef vtkHeadlessRenderWindow_h
 #define vtkHeadlessRenderWindow_h
@@ -26,8 +27,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * True when the OSMesa context is there and can be drawn into. False otherwise, after one vtkErrorMacro; rendering
-   * then does nothing.
+   * True when the OSMesa context is there and can be drawn into. False otherwise, after one vtkErrorMacro;
+   * rendering then does nothing.
    */
   bool IsUsable() const;
 

@@ -33,13 +33,17 @@ vtkCompositeDataDisplayAttributes* blockAttributes(vtkMapper* mapper)
   return composite != nullptr ? composite->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
-// Visible leaves below a block. A block without a visibility of its own has its parent's.
-void collectBlocks(vtkDataObject* block, bool visible, vtkCompositeDataDisplayAttributes* attributes,
-                   std::vector<vtkPolyData*>& data)
+// Visible opaque leaves below a block. A block without a visibility or opacity of its own has its parent's.
+void collectBlocks(vtkDataObject* block, bool visible, bool opaque,
+                   vtkCompositeDataDisplayAttributes* attributes, std::vector<vtkPolyData*>& data)
 {
   if (attributes != nullptr && attributes->HasBlockVisibility(block))
   {
     visible = attributes->GetBlockVisibility(block);
+  }
+  if (attributes != nullptr && attributes->HasBlockOpacity(block))
+  {
+    opaque = attributes->GetBlockOpacity(block) >= 1.0;
   }
   if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
   {
@@ -48,10 +52,10 @@ void collectBlocks(vtkDataObject* block, bool visible, vtkCompositeDataDisplayAt
     children->VisitOnlyLeavesOff();
     for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
     {
-      collectBlocks(children->GetCurrentDataObject(), visible, attributes, data);
+      collectBlocks(children->GetCurrentDataObject(), visible, opaque, attributes, data);
     }
   }
-  else if (auto* polyData = vtkPolyData::SafeDownCast(block); polyData != nullptr && visible)
+  else if (auto* polyData = vtkPolyData::SafeDownCast(block); polyData != nullptr && visible && opaque)
   {
     data.push_back(polyData);
   }
@@ -66,10 +70,11 @@ bool DrawnSurfaces::areKnown(vtkMapper* mapper)
   {
     return false;
   }
-  return mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") || VTKSHADOW_COMPOSITE_MAPPER::SafeDownCast(mapper) != nullptr;
+  return mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper");
 }
 
-std::vector<vtkPolyData*> DrawnSurfaces::collect(vtkActor* actor, const PropPath& path, const glm::dmat4& modelToWorld)
+std::vector<vtkPolyData*> DrawnSurfaces::collect(vtkActor* actor, const PropPath& path,
+                                                 const glm::dmat4& modelToWorld)
 {
   vtkMapper* mapper = actor->GetMapper();
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
@@ -80,18 +85,17 @@ std::vector<vtkPolyData*> DrawnSurfaces::collect(vtkActor* actor, const PropPath
   }
   else if (vtkCompositeDataSet::SafeDownCast(input) != nullptr)
   {
-    collectBlocks(input, true, blockAttributes(mapper), data);
+    collectBlocks(input, true, true, blockAttributes(mapper), data);
   }
   else if (vtkDataSet::SafeDownCast(input) != nullptr)
   {
     data.push_back(this->extractSurface(mapper, input));
   }
-  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   if (planes != nullptr && planes->GetNumberOfItems() > 0)
   {
-    std::transform(data.begin(), data.end(), data.begin(), [&](vtkPolyData* polyData) {
-      return this->clip(polyData, planes, path, modelToWorld);
-    });
+    std::transform(data.begin(), data.end(), data.begin(),
+                   [&](vtkPolyData* polyData) { return this->clip(polyData, planes, path, modelToWorld); });
   }
   return data;
 }
@@ -111,7 +115,7 @@ vtkPolyData* DrawnSurfaces::extractSurface(vtkMapper* mapper, vtkDataObject* inp
 
 // VTK clips in the shader, by planes in world space; a shadow needs the geometry that is left.
 vtkPolyData* DrawnSurfaces::clip(vtkPolyData* input, vtkPlaneCollection* planes, const PropPath& path,
-                                const glm::dmat4& modelToWorld)
+                                 const glm::dmat4& modelToWorld)
 {
   ClippedMesh& entry = this->clipped[{path, input}];
   entry.used = true;
@@ -120,7 +124,8 @@ vtkPolyData* DrawnSurfaces::clip(vtkPolyData* input, vtkPlaneCollection* planes,
   {
     time = std::max(time, planes->GetItem(i)->GetMTime());
   }
-  if (entry.output != nullptr && entry.input == input && entry.time == time && entry.modelToWorld == modelToWorld)
+  if (entry.output != nullptr && entry.input == input && entry.time == time &&
+      entry.modelToWorld == modelToWorld)
   {
     return entry.output;
   }

@@ -38,8 +38,8 @@ void sweepUnused(Map& map)
   }
 }
 
-/// The polygons that VTK draws for an actor: visible blocks of composite data, surfaces of volume meshes, and what the
-/// mapper's clipping planes leave. What has to be computed is kept until its input changes.
+/// The polygons that VTK draws for an actor: visible blocks of composite data, surfaces of volume meshes, and
+/// what the mapper's clipping planes leave. What has to be computed is kept until its input changes.
 class DrawnSurfaces
 {
 public:

@@ -49,7 +49,8 @@ bool usesSceneLights(const std::string& shader)
 {
   const std::string colour = "lightColor0";
   const std::size_t declared = shader.find("uniform vec3 " + colour);
-  return shader.find("uniform vec3 lightDirectionVC0") != std::string::npos && declared != std::string::npos &&
+  return shader.find("uniform vec3 lightDirectionVC0") != std::string::npos &&
+         declared != std::string::npos &&
          shader.find(colour, shader.find(';', declared)) != std::string::npos;
 }
 
@@ -79,7 +80,8 @@ bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
   }
   else
   {
-    // A shader that is not a sum over lights is drawn in the ambient pass and adds nothing in the lighting passes.
+    // A shader that is not a sum over lights is drawn in the ambient pass and adds nothing in the lighting
+    // passes.
     const std::size_t end = fragmentShader.rfind('}');
     if (end != std::string::npos)
     {
@@ -158,7 +160,8 @@ void LightingHook::setUniforms(vtkShaderProgram* program) const
     return;
   }
   std::vector<float> values(maximumLights, 0.0f);
-  std::copy_n(this->strength.begin(), std::min<std::size_t>(this->strength.size(), maximumLights), values.begin());
+  std::copy_n(this->strength.begin(), std::min<std::size_t>(this->strength.size(), maximumLights),
+              values.begin());
   program->SetUniform1fv("shadowStrength", maximumLights, values.data());
   program->SetUniformi("shadowMask", this->maskUnit);
   program->SetUniform2i("shadowOrigin", this->origin);

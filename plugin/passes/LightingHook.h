@@ -13,8 +13,8 @@ class vtkShaderProgram;
 namespace shadow
 {
 
-/// Puts the shadow mask into the fragment shaders of VTK's own mappers: each light's diffuse and specular part is
-/// multiplied by a shadow factor. See shaders/shadowFactor.glsl.
+/// Puts the shadow mask into the fragment shaders of VTK's own mappers: each light's diffuse and specular
+/// part is multiplied by a shadow factor. See shaders/shadowFactor.glsl.
 class LightingHook
 {
 public:

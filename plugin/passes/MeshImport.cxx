@@ -33,7 +33,8 @@ void importStrips(vtkCellArray* cells, std::vector<std::array<std::uint32_t, 3>>
     for (vtkIdType i = 0; i + 2 < size; ++i)
     {
       const vtkIdType odd = i % 2;
-      triangles.push_back({static_cast<std::uint32_t>(corners[i]), static_cast<std::uint32_t>(corners[i + 1 + odd]),
+      triangles.push_back({static_cast<std::uint32_t>(corners[i]),
+                           static_cast<std::uint32_t>(corners[i + 1 + odd]),
                            static_cast<std::uint32_t>(corners[i + 2 - odd])});
     }
   }

@@ -8,8 +8,8 @@ class vtkPolyData;
 namespace shadow
 {
 
-/// The triangles of a data set as VTK's mappers draw them: polygons as fans around their first corner, strips with
-/// alternating winding; vertices and lines are left out. Cost: O(points + cells).
+/// The triangles of a data set as VTK's mappers draw them: polygons as fans around their first corner, strips
+/// with alternating winding; vertices and lines are left out. Cost: O(points + cells).
 TriangleSoup importTriangles(vtkPolyData* polyData);
 
 } // namespace shadow

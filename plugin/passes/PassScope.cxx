@@ -34,7 +34,8 @@ bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside)
   }
   if (auto* steps = vtkRenderStepsPass::SafeDownCast(tree))
   {
-    return search(steps->GetOpaquePass(), pass, true) || search(steps->GetPostProcessPass(), pass, othersBeside);
+    return search(steps->GetOpaquePass(), pass, true) ||
+           search(steps->GetPostProcessPass(), pass, othersBeside);
   }
   if (auto* sequence = vtkSequencePass::SafeDownCast(tree))
   {

@@ -7,8 +7,9 @@ class vtkRenderer;
 namespace shadow
 {
 
-/// Whether other passes of the renderer draw what is not opaque, so that @p pass need not: it is the opaque pass of a
-/// vtkRenderStepsPass, or stands in a vtkSequencePass beside translucent, volumetric or overlay passes.
+/// Whether other passes of the renderer draw what is not opaque, so that @p pass need not: it is the opaque
+/// pass of a vtkRenderStepsPass, or stands in a vtkSequencePass beside translucent, volumetric or overlay
+/// passes.
 bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass);
 
 } // namespace shadow

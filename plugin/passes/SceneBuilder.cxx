@@ -146,7 +146,8 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
 {
   Mesh& mesh = this->meshes[polyData];
   mesh.used = true;
-  // GetMTime() covers points and cells as well as a call of Modified() on the data set after a change in place.
+  // GetMTime() covers points and cells as well as a call of Modified() on the data set after a change in
+  // place.
   const vtkMTimeType time = polyData->GetMTime();
   if (mesh.polyData != polyData || mesh.time != time || mesh.weldTolerance != settings.weldTolerance)
   {

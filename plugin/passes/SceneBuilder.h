@@ -24,8 +24,8 @@ class vtkRenderer;
 namespace shadow
 {
 
-/// Mirrors a renderer's props into a scene graph: each way to an opaque surface actor becomes a Transform, each data set
-/// a SEDGeode that all ways to it share. Only what changed since the last time is built anew.
+/// Mirrors a renderer's props into a scene graph: each way to an opaque surface actor becomes a Transform,
+/// each data set a SEDGeode that all ways to it share. Only what changed since the last time is built anew.
 class SceneBuilder
 {
 public:
@@ -72,9 +72,10 @@ private:
   };
 
   void addProp(vtkProp* prop, const Settings& settings, Group& root);
-  void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath, const Settings& settings,
-                Group& root);
-  std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const Settings& settings, const std::string& name);
+  void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath,
+                const Settings& settings, Group& root);
+  std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const Settings& settings,
+                                     const std::string& name);
   std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
   void skip(vtkProp* prop, const std::string& reason);
   void dropUnused();

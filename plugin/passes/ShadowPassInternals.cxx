@@ -1,6 +1,7 @@
 #include "ShadowPassInternals.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -12,6 +13,7 @@
 
 #include "LightCollector.h"
 #include "OpenGL.h"
+#include "Stopwatch.h"
 
 namespace
 {
@@ -68,8 +70,8 @@ void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
 }
 
 //------------------------------------------------------------------------------
-vtkShadowVolumePass::vtkInternals::RendererState& vtkShadowVolumePass::vtkInternals::GetState(
-  vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+vtkShadowVolumePass::vtkInternals::RendererState&
+vtkShadowVolumePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
 {
   for (auto entry = this->Renderers.begin(); entry != this->Renderers.end();)
   {
@@ -87,20 +89,23 @@ vtkShadowVolumePass::vtkInternals::RendererState& vtkShadowVolumePass::vtkIntern
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumePass::vtkInternals::PrepareMask(
-  vtkShadowVolumePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, vtkOpenGLRenderer* renderer,
+                                                    vtkOpenGLRenderWindow* window)
 {
   RendererState& state = this->GetState(renderer, window);
   this->Current = &state;
   this->Status = STATUS_OK;
   this->Message.clear();
+  this->Skipped.clear();
+  this->ShadowLights = 0;
   this->LightingPasses = 0;
+  this->LightingMilliseconds = 0.0;
 
-  const auto start = Clock::now();
+  const shadow::Stopwatch stage;
   this->UpdateScene(self, state);
   state.View = currentView(renderer, window);
   const shadow::LightList lights = shadow::collectLights(renderer);
-  this->SceneMilliseconds = MillisecondsSince(start);
+  this->SceneMilliseconds = stage.getMilliseconds();
   for (const std::string& message : lights.messages)
   {
     this->AddMessage(message);
@@ -130,7 +135,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(
   this->Skipped.insert(culled.begin(), culled.end());
   this->Hook.strength = lights.attenuation;
   std::transform(this->Hook.strength.begin(), this->Hook.strength.end(), this->Hook.strength.begin(),
-    [&](float attenuation) { return static_cast<float>(self->ShadowIntensity) * attenuation; });
+                 [&](float attenuation) { return static_cast<float>(self->ShadowIntensity) * attenuation; });
   const int samples = state.Effect->getTarget().getSamples();
   if (samples != this->Hook.samples)
   {
@@ -175,9 +180,10 @@ void vtkShadowVolumePass::vtkInternals::Release(vtkWindow* window)
       entry.second->Release();
     }
   }
-  for (vtkRenderPass* pass : {static_cast<vtkRenderPass*>(this->LightsPass), static_cast<vtkRenderPass*>(this->OpaquePass),
-         static_cast<vtkRenderPass*>(this->TranslucentPass), static_cast<vtkRenderPass*>(this->VolumetricPass),
-         static_cast<vtkRenderPass*>(this->OverlayPass)})
+  for (vtkRenderPass* pass :
+       {static_cast<vtkRenderPass*>(this->LightsPass), static_cast<vtkRenderPass*>(this->OpaquePass),
+        static_cast<vtkRenderPass*>(this->TranslucentPass), static_cast<vtkRenderPass*>(this->VolumetricPass),
+        static_cast<vtkRenderPass*>(this->OverlayPass)})
   {
     pass->ReleaseGraphicsResources(window);
   }

@@ -1,7 +1,6 @@
 #ifndef ShadowPassInternals_h
 #define ShadowPassInternals_h
 
-#include <chrono>
 #include <map>
 #include <memory>
 #include <set>
@@ -31,12 +30,6 @@
 class vtkShadowVolumePass::vtkInternals
 {
 public:
-  using Clock = std::chrono::steady_clock;
-  static double MillisecondsSince(Clock::time_point start)
-  {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  }
-
   /// Everything that belongs to one renderer: a pass may serve several.
   struct RendererState
   {
@@ -45,8 +38,8 @@ public:
     shadow::SceneBuilder Builder;
     std::shared_ptr<shadow::ShadowVolumeEffect> Effect = std::make_shared<shadow::ShadowVolumeEffect>();
     shadow::View View;
-    /// One texel that VTK frees with the window's context: tells whether our own GL objects are still there, also
-    /// when the pass has been detached and nobody tells it.
+    /// One texel that VTK frees with the window's context: tells whether our own GL objects are still there,
+    /// also when the pass has been detached and nobody tells it.
     vtkNew<vtkTextureObject> Sentinel;
 
     ~RendererState();
@@ -56,7 +49,8 @@ public:
     void Release();
   };
 
-  /// Brings the scene graph up to date and renders the shadow mask. @return false when there can be no shadows
+  /// Brings the scene graph up to date and renders the shadow mask. @return false when there can be no
+  /// shadows
   bool PrepareMask(vtkShadowVolumePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
 
   /// Of the last rendering; all zero before the first.

@@ -1,5 +1,7 @@
 #include "vtkShadowVolumePass.h"
 
+#include <algorithm>
+
 #include <vtkCameraPass.h>
 #include <vtkHardwareSelector.h>
 #include <vtkImageData.h>
@@ -14,14 +16,12 @@
 #include "OpenGL.h"
 #include "PassScope.h"
 #include "ShadowPassInternals.h"
+#include "Stopwatch.h"
 
 vtkStandardNewMacro(vtkShadowVolumePass);
 
 //------------------------------------------------------------------------------
-vtkShadowVolumePass::vtkShadowVolumePass()
-  : Internals(new vtkInternals)
-{
-}
+vtkShadowVolumePass::vtkShadowVolumePass() : Internals(new vtkInternals) {}
 
 //------------------------------------------------------------------------------
 vtkShadowVolumePass::~vtkShadowVolumePass() = default;
@@ -46,7 +46,8 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  auto* window = renderer != nullptr ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  auto* window =
+      renderer != nullptr ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
   if (window == nullptr)
   {
     vtkErrorMacro("needs a renderer in an OpenGL render window.");
@@ -70,7 +71,7 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   }
 
   const bool complete = this->Scope == SCOPE_COMPLETE ||
-    (this->Scope == SCOPE_AUTO && !shadow::othersDrawTheRest(renderer, this));
+                        (this->Scope == SCOPE_AUTO && !shadow::othersDrawTheRest(renderer, this));
   if (complete)
   {
     this->RenderPart(this->Internals->LightsPass, s);
@@ -110,7 +111,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   vtkInternals& internals = *this->Internals;
   shadow::LightingHook& hook = internals.Hook;
   vtkOpenGLState* state = internals.Current->Window->GetState();
-  const auto start = vtkInternals::Clock::now();
+  const shadow::Stopwatch stage;
 
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   hook.begin(state, *internals.Current->Effect, internals.Current->View);
@@ -143,12 +144,13 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   {
     glFinish();
   }
-  internals.LightingMilliseconds = vtkInternals::MillisecondsSince(start);
+  internals.LightingMilliseconds = stage.getMilliseconds();
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+                                                  std::string& fragmentShader, vtkAbstractMapper* mapper,
+                                                  vtkProp* prop)
 {
   const auto* current = this->Internals->Current;
   const bool mirrored = current != nullptr && current->Builder.isMirrored(prop);
@@ -156,16 +158,17 @@ bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std
   {
     // VTK builds a shader once; the message stays with it.
     const std::string message = std::string("the shader of a ") + prop->GetClassName() +
-      " has lighting that shadows cannot be put into; it is drawn without";
+                                " has lighting that shadows cannot be put into; it is drawn without";
     this->Internals->ShaderMessages.insert(message);
     this->Internals->AddMessage(message);
   }
-  return this->Superclass::PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
+  return this->Superclass::PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper,
+                                                   prop);
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumePass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
+bool vtkShadowVolumePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
+                                              vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
 {
   this->Internals->Hook.setUniforms(program);
   return this->Superclass::SetShaderParameters(program, mapper, prop, VAO);
@@ -210,7 +213,7 @@ bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
 {
   const auto& current = this->Internals->Current;
   if (image == nullptr || current == nullptr || current->Window == nullptr ||
-    this->GetStatus() == STATUS_NOT_SUPPORTED)
+      this->GetStatus() == STATUS_NOT_SUPPORTED)
   {
     vtkErrorMacro("GetShadowMask needs an image and a rendering with shadows before it.");
     return false;
@@ -220,19 +223,20 @@ bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
     vtkErrorMacro("there is no light " << light << " that is switched on.");
     return false;
   }
-  current->Window->MakeCurrent();
   shadow::StencilTarget& target = current->Effect->getTarget();
-  if (target.getWidth() == 0)
+  if (target.getWidth() == 0 || current->Sentinel->GetHandle() == 0)
   {
     vtkErrorMacro("the shadow mask has been released; render again.");
     return false;
   }
+  current->Window->MakeCurrent();
   image->SetDimensions(target.getWidth(), target.getHeight(), 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
   if (light >= shadow::maximumLights)
   {
     std::fill_n(pixels, image->GetNumberOfPoints(), static_cast<unsigned char>(255));
+    image->Modified();
     return true;
   }
   const std::vector<unsigned char> mask = target.readMask(current->Window, light);

@@ -2,8 +2,8 @@
  * @class   vtkShadowVolumePass
  * @brief   exact hard shadows by stencil shadow volumes, as a drop-in render pass
  *
- * Draws the scene of a renderer with hard shadows that are right to the pixel, for point lights, spot lights of any
- * cone and directional lights. Actors, mappers, lights and cameras stay as they are.
+ * Draws the scene of a renderer with hard shadows that are right to the pixel, for point lights, spot lights
+ * of any cone and directional lights. Actors, mappers, lights and cameras stay as they are.
  *
  * @par Use
  * - complete pass: `renderer->SetPass(shadows)`
@@ -12,12 +12,14 @@
  *
  * @par Stages
  * 1. the scene builder mirrors the renderer's props and lights into a scene graph (only what changed);
- * 2. pre-pass: all opaque triangles into a depth-stencil target of our own (reversed depth, far plane at infinity);
- * 3. for every light: caster culling, silhouette, shadow volume, stencil count; a non-zero count clears the light's
- *    bit in the shadow mask;
+ * 2. pre-pass: all opaque triangles into a depth-stencil target of our own (reversed depth, far plane at
+ * infinity);
+ * 3. for every light: caster culling, silhouette, shadow volume, stencil count; a non-zero count clears the
+ * light's bit in the shadow mask;
  * 4. VTK draws its opaque pass, with the diffuse and specular part of each light multiplied by the mask.
  *
- * Translucent actors and volumes are drawn after that as vtkRenderStepsPass would; they neither cast nor receive.
+ * Translucent actors and volumes are drawn after that as vtkRenderStepsPass would; they neither cast nor
+ * receive.
  *
  * @par Source
  * Shi 2006 (master's thesis, Umea University), chapter 4.2; Everitt & Kilgard 2002; Lengyel 2002.
@@ -46,9 +48,10 @@ public:
   /// How shadow volumes are counted.
   enum StencilMethods
   {
-    STENCIL_AUTO = 0, ///< z-pass where the eye cannot be in the caster's shadow, else z-fail; per caster and light
-    STENCIL_ZPASS,    ///< z-pass always: wrong when the near plane is inside a shadow volume
-    STENCIL_ZFAIL     ///< z-fail always: right everywhere, slower
+    STENCIL_AUTO =
+        0, ///< z-pass where the eye cannot be in the caster's shadow, else z-fail; per caster and light
+    STENCIL_ZPASS, ///< z-pass always: wrong when the near plane is inside a shadow volume
+    STENCIL_ZFAIL  ///< z-fail always: right everywhere, slower
   };
 
   ///@{
@@ -66,7 +69,8 @@ public:
   /// How silhouettes are found.
   enum SilhouetteMethods
   {
-    SILHOUETTE_BRUTE_FORCE = 0 ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+    SILHOUETTE_BRUTE_FORCE =
+        0 ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
   };
 
   ///@{
@@ -86,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Mask (default) or Additive. Additive adds in display space, so physically based actors, whose shader ends in a
-   * gamma curve, are drawn as in Mask also there.
+   * Mask (default) or Additive. Additive adds in display space, so physically based actors, whose shader ends
+   * in a gamma curve, are drawn as in Mask also there.
    */
   vtkSetClampMacro(Compositing, int, COMPOSITING_MASK, COMPOSITING_ADDITIVE);
   vtkGetMacro(Compositing, int);
@@ -97,8 +101,8 @@ public:
 
   ///@{
   /**
-   * How much of a light's diffuse and specular part its shadow takes away: 0 none, 1 (default) all. It is multiplied
-   * with the light's own vtkLight::ShadowAttenuation.
+   * How much of a light's diffuse and specular part its shadow takes away: 0 none, 1 (default) all. It is
+   * multiplied with the light's own vtkLight::ShadowAttenuation.
    */
   vtkSetClampMacro(ShadowIntensity, double, 0.0, 1.0);
   vtkGetMacro(ShadowIntensity, double);
@@ -106,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Samples a pixel of the shadow mask, for smooth shadow edges: 1 (default), 2, 4, 8, ... A number that the GL
-   * cannot do is lowered to one it can.
+   * Samples a pixel of the shadow mask, for smooth shadow edges: 1 (default), 2, 4, 8, ... A number that the
+   * GL cannot do is lowered to one it can.
    */
   vtkSetClampMacro(Samples, int, 1, 32);
   vtkGetMacro(Samples, int);
@@ -115,8 +119,8 @@ public:
 
   ///@{
   /**
-   * Points of a caster that are closer than this (in its model units) count as one. Default 0: points with equal
-   * coordinates.
+   * Points of a caster that are closer than this (in its model units) count as one. Default 0: points with
+   * equal coordinates.
    */
   vtkSetClampMacro(WeldTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(WeldTolerance, double);
@@ -125,15 +129,16 @@ public:
   /// What the pass draws.
   enum Scopes
   {
-    SCOPE_AUTO = 0, ///< found out from the renderer's pass: opaque where another pass draws the rest, else complete
-    SCOPE_OPAQUE,   ///< opaque geometry only
-    SCOPE_COMPLETE  ///< lights, opaque, translucent, volumetric and overlay
+    SCOPE_AUTO =
+        0, ///< found out from the renderer's pass: opaque where another pass draws the rest, else complete
+    SCOPE_OPAQUE,  ///< opaque geometry only
+    SCOPE_COMPLETE ///< lights, opaque, translucent, volumetric and overlay
   };
 
   ///@{
   /**
-   * What the pass draws. Auto (default) is right in the three uses above; set it when the pass sits in a tree of passes
-   * that Auto cannot look into.
+   * What the pass draws. Auto (default) is right in the three uses above; set it when the pass sits in a tree
+   * of passes that Auto cannot look into.
    */
   vtkSetClampMacro(Scope, int, SCOPE_AUTO, SCOPE_COMPLETE);
   vtkGetMacro(Scope, int);
@@ -141,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Whether a prop casts shadows (it receives them in any case). Default: every opaque prop does. For an assembly this
-   * holds for all its parts; a part can be switched off alone. The prop is not kept alive.
+   * Whether a prop casts shadows (it receives them in any case). Default: every opaque prop does. For an
+   * assembly this holds for all its parts; a part can be switched off alone. The prop is not kept alive.
    */
   void SetCasting(vtkProp* prop, bool casting);
   bool GetCasting(vtkProp* prop);
@@ -150,8 +155,8 @@ public:
 
   ///@{
   /**
-   * Wait for the GL after each stage, so that the milliseconds below tell what the stage cost and not only how long it
-   * took to hand it over. Default: off.
+   * Wait for the GL after each stage, so that the milliseconds below tell what the stage cost and not only
+   * how long it took to hand it over. Default: off.
    */
   vtkSetMacro(MeasureStages, bool);
   vtkGetMacro(MeasureStages, bool);
@@ -175,9 +180,10 @@ public:
 
   ///@{
   /**
-   * Statistics of the last rendering: triangles handed to the GL. For a closed mesh, a point light and Additive,
-   * GetTotalTriangles() is the thesis's t + (t + k) lights for z-pass and t + (2t + k) lights for z-fail, with t the
-   * scene's and k the volume sides' triangles. The pre-pass that fills our own depth buffer is counted apart.
+   * Statistics of the last rendering: triangles handed to the GL. For a closed mesh, a point light and
+   * Additive, GetTotalTriangles() is the thesis's t + (t + k) lights for z-pass and t + (2t + k) lights for
+   * z-fail, with t the scene's and k the volume sides' triangles. The pre-pass that fills our own depth
+   * buffer is counted apart.
    */
   vtkIdType GetPrePassTriangles() const;
   vtkIdType GetAmbientTriangles() const;  ///< Mask: the one opaque pass
@@ -193,10 +199,10 @@ public:
    * Statistics of the last rendering: casters are counted once for each path and light.
    */
   int GetNumberOfShadowLights() const;
-  int GetNumberOfCasters() const;     ///< whose volume was drawn
-  int GetNumberOfZFailCasters() const; ///< of these, by z-fail
+  int GetNumberOfCasters() const;        ///< whose volume was drawn
+  int GetNumberOfZFailCasters() const;   ///< of these, by z-fail
   int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before
-  int GetNumberOfSkippedCasters() const;
+  int GetNumberOfSkippedCasters() const; ///< lines of GetSkippedCaster(): one for each caster and reason
   std::string GetSkippedCaster(int index) const; ///< "name: reason", or "" when there is no such index
   ///@}
 
@@ -217,10 +223,12 @@ public:
   vtkIdType GetMemorySize() const;
 
   /**
-   * Copies the shadow mask of the last rendering into an image: one 8-bit component, as large as the renderer, 255 where
-   * the light reaches the surface (and where there is none), 0 in shadow. With Samples > 1 the share of reached samples.
+   * Copies the shadow mask of the last rendering into an image: one 8-bit component, as large as the
+   * renderer, 255 where the light reaches the surface (and where there is none), 0 in shadow. With Samples >
+   * 1 the share of reached samples.
    *
-   * @param light  index among the renderer's lights that are switched on; a headlight has no shadow, its mask is 255
+   * @param light  index among the renderer's lights that are switched on; a headlight has no shadow, its mask
+   * is 255
    * @return false, with an error, when there is no such light or nothing has been rendered
    */
   bool GetShadowMask(int light, vtkImageData* image);
@@ -231,10 +239,11 @@ public:
    */
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader,
-    vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+                               std::string& fragmentShader, vtkAbstractMapper* mapper,
+                               vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+                           vtkOpenGLVertexArrayObject* VAO = nullptr) override;
   vtkMTimeType GetShaderStageMTime() override;
   ///@}
 

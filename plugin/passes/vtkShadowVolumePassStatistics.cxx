@@ -24,8 +24,8 @@ vtkIdType vtkShadowVolumePass::GetPrePassTriangles() const
 vtkIdType vtkShadowVolumePass::GetAmbientTriangles() const
 {
   return this->Internals->Current != nullptr
-    ? static_cast<vtkIdType>(this->Internals->Current->Builder.getTriangles())
-    : 0;
+             ? static_cast<vtkIdType>(this->Internals->Current->Builder.getTriangles())
+             : 0;
 }
 
 vtkIdType vtkShadowVolumePass::GetSideTriangles() const
@@ -46,7 +46,7 @@ vtkIdType vtkShadowVolumePass::GetLightingTriangles() const
 vtkIdType vtkShadowVolumePass::GetTotalTriangles() const
 {
   return this->GetAmbientTriangles() + this->GetSideTriangles() + this->GetCapTriangles() +
-    this->GetLightingTriangles();
+         this->GetLightingTriangles();
 }
 
 vtkIdType vtkShadowVolumePass::GetSilhouetteEdges() const

@@ -1,5 +1,5 @@
-// A scene drawn with vtkShadowMapPass (left) and with shadow volumes (right), and how many of the lit pixels each gets
-// wrong against ray-cast truth.
+// A scene drawn with vtkShadowMapPass (left) and with shadow volumes (right), and how many of the lit pixels
+// each gets wrong against ray-cast truth.
 //
 //   compare_shadow_map [MODEL.obj] [--output picture.png]      without a model: spheres and a torus
 
@@ -65,8 +65,8 @@ void addModel(ShadowScene& scene, const std::string& model)
   }
 }
 
-/// Share of the certain pixels lit by the unshadowed scene that are dark in the picture and should not be, or the other way
-/// round; in percent. @pre nothing is lit but by the light
+/// Share of the certain pixels lit by the unshadowed scene that are dark in the picture and should not be, or
+/// the other way round; in percent. @pre nothing is lit but by the light
 double wrongPercent(const Picture& lit, const Picture& shadowed, const MaskTruth& truth, const Size& size)
 {
   std::size_t seen = 0;
@@ -135,9 +135,11 @@ void compareIn(const Size& size, const std::string& model, const std::string& ou
   const double modelHeight = bounds[3] - bounds[2];
   scene.addFloor();
   scene.lookFrom(-0.4, 0.7, 1.0, 0.8);
-  // What both can do: a spot light below 90 degrees. Only what lies inside its cone, and so inside the shadow map, is lit.
-  vtkLight* light = scene.addPointLight(0.5 * (bounds[0] + bounds[1]) + 0.9 * modelHeight, bounds[3] + 1.2 * modelHeight,
-                                        0.5 * (bounds[4] + bounds[5]) + 0.7 * modelHeight);
+  // What both can do: a spot light below 90 degrees. Only what lies inside its cone, and so inside the shadow
+  // map, is lit.
+  vtkLight* light =
+      scene.addPointLight(0.5 * (bounds[0] + bounds[1]) + 0.9 * modelHeight, bounds[3] + 1.2 * modelHeight,
+                          0.5 * (bounds[4] + bounds[5]) + 0.7 * modelHeight);
   light->SetFocalPoint(0.5 * (bounds[0] + bounds[1]), bounds[2], 0.5 * (bounds[4] + bounds[5]));
   light->SetConeAngle(40.0);
   light->SetExponent(0.0);
@@ -157,12 +159,15 @@ void compareIn(const Size& size, const std::string& model, const std::string& ou
   setAmbient(scene, 0.0);
   const Picture volumes = drawWith(scene, scene.pass);
   const RayCaster caster(sceneFromRenderer(scene.renderer));
-  const MaskTruth truth(caster, viewFromRenderer(scene.renderer), lightsFromRenderer(scene.renderer)[0].light);
+  const MaskTruth truth(caster, viewFromRenderer(scene.renderer),
+                        lightsFromRenderer(scene.renderer)[0].light);
 
   const Picture lit = drawWith(scene, nullptr);
   const Picture mapped = drawWith(scene, shadowMap);
-  std::printf("%d x %d, wrong lit pixels: vtkShadowMapPass (2048 x 2048) %.3f %%, vtkShadowVolumePass %.4f %%\n", size.width,
-              size.height, wrongPercent(lit, mapped, truth, size), wrongPercent(lit, volumes, truth, size));
+  std::printf(
+      "%d x %d, wrong lit pixels: vtkShadowMapPass (2048 x 2048) %.3f %%, vtkShadowVolumePass %.4f %%\n",
+      size.width, size.height, wrongPercent(lit, mapped, truth, size),
+      wrongPercent(lit, volumes, truth, size));
 
   setAmbient(scene, 0.15);
   writeSideBySide(drawWith(scene, shadowMap), drawWith(scene, scene.pass), size, output);

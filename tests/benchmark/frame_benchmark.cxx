@@ -1,7 +1,8 @@
-// Frames with one moving point light: plain VTK, vtkShadowMapPass at 2048 x 2048, and shadow volumes, in turns, so that
-// their ratio means something on a noisy machine. And the memory a frame takes.
+// Frames with one moving point light: plain VTK, vtkShadowMapPass at 2048 x 2048, and shadow volumes, in
+// turns, so that their ratio means something on a noisy machine. And the memory a frame takes.
 //
-//   bench_frame [MODEL.obj...] [--benchmark_...]   without models: built-in ones, and the meshes found beside the project
+//   bench_frame [MODEL.obj...] [--benchmark_...]   without models: built-in ones, and the meshes found beside
+//   the project
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +34,8 @@ using Clock = std::chrono::steady_clock;
 
 double median(std::vector<double> values)
 {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
   return values[values.size() / 2];
 }
 
@@ -57,8 +59,7 @@ vtkSmartPointer<vtkAlgorithm> makeSource(const std::string& model)
 class MovingLightScene
 {
 public:
-  explicit MovingLightScene(const std::string& model)
-    : scene(640, 480)
+  explicit MovingLightScene(const std::string& model) : scene(640, 480)
   {
     vtkActor* actor = this->scene.addSource(makeSource(model));
     std::copy_n(actor->GetBounds(), 6, this->bounds);
@@ -188,7 +189,8 @@ double readStatus(const std::string& key)
   return 0.0;
 }
 
-/// Highest memory of the first shadowed frame above that of plain VTK's frames, a triangle. Software GL: its buffers count.
+/// Highest memory of the first shadowed frame above that of plain VTK's frames, a triangle. Software GL: its
+/// buffers count.
 void peakMemory(benchmark::State& state, int triangles, int stencilMethod)
 {
   for (auto _ : state)
@@ -202,7 +204,8 @@ void peakMemory(benchmark::State& state, int triangles, int stencilMethod)
     state.SetIterationTime(1e-3 * moving.draw(moving.scene.pass));
     const double count = static_cast<double>(moving.scene.pass->GetAmbientTriangles());
     state.counters["peak_bytes_per_triangle"] = 1024.0 * (readStatus("VmHWM") - before) / count;
-    state.counters["kept_bytes_per_triangle"] = static_cast<double>(moving.scene.pass->GetMemorySize()) / count;
+    state.counters["kept_bytes_per_triangle"] =
+        static_cast<double>(moving.scene.pass->GetMemorySize()) / count;
   }
 }
 
@@ -232,8 +235,8 @@ int main(int argc, char** argv)
   for (const std::string& model : findModels(argc, argv))
   {
     const std::string name = std::filesystem::path(model).stem().string();
-    benchmark::RegisterBenchmark(("FrameAgainstShadowMap/" + name + "/auto").c_str(), frameAgainstShadowMap, model,
-                                 vtkShadowVolumePass::STENCIL_AUTO)
+    benchmark::RegisterBenchmark(("FrameAgainstShadowMap/" + name + "/auto").c_str(), frameAgainstShadowMap,
+                                 model, vtkShadowVolumePass::STENCIL_AUTO)
         ->UseManualTime()
         ->Iterations(40)
         ->Unit(benchmark::kMillisecond);

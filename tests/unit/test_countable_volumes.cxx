@@ -36,7 +36,8 @@ TEST(CountableVolumes, EveryPartCanBeCounted_AndTogetherTheyHoldEveryTriangle)
   for (const std::uint32_t plates : {100u, 255u, 256u, 300u, 2000u})
   {
     const SEDGeometry geometry = makeStack(plates);
-    for (const glm::dvec4& light : {glm::dvec4(0, 0, 1, 0), glm::dvec4(0.1, 0.2, 50, 1), glm::dvec4(0, 0, 0, 1)})
+    for (const glm::dvec4& light :
+         {glm::dvec4(0, 0, 1, 0), glm::dvec4(0.1, 0.2, 50, 1), glm::dvec4(0, 0, 0, 1)})
     {
       const std::vector<ShadowVolume> volumes = volumesOf(geometry, light);
       std::size_t capTriangles = 0;

@@ -84,8 +84,8 @@ TEST(OverlapBound, RandomSoups_NeverBelowTrueCountAndNotFarAbove)
 TEST(OverlapBound, StackedPlates_CountsThemAll)
 {
   const SEDGeometry geometry = build(makePlates(300));
-  for (glm::dvec4 light : {glm::dvec4(0.1, 0.2, 1000, 1), glm::dvec4(0.1, 0.2, 301, 1), glm::dvec4(0, 0, 1, 0),
-                           glm::dvec4(1e-4, 3e-4, 1, 0)})
+  for (glm::dvec4 light : {glm::dvec4(0.1, 0.2, 1000, 1), glm::dvec4(0.1, 0.2, 301, 1),
+                           glm::dvec4(0, 0, 1, 0), glm::dvec4(1e-4, 3e-4, 1, 0)})
   {
     light -= light.w * glm::dvec4(geometry.getOrigin(), 0.0);
     const std::size_t bound = boundOf(geometry, light, Casting::EveryTriangle);

@@ -48,8 +48,9 @@ double residentMegabytes()
 /// In 100 rounds. One mask left behind in each would be 36.
 constexpr double tolerableMegabytes = 1.0;
 
-/// Runs something a few times until everything is there, then 100 times more: nothing may have grown. Memory is looked at
-/// over up to three such hundreds, since what the allocator and the GL put by grows for a while: a leak grows in each.
+/// Runs something a few times until everything is there, then 100 times more: nothing may have grown. Memory
+/// is looked at over up to three such hundreds, since what the allocator and the GL put by grows for a while:
+/// a leak grows in each.
 template <class Round>
 void expectNoGrowth(BallScene& scene, Round&& round)
 {

@@ -23,7 +23,8 @@ vtkNew<vtkImageData> box(double lower, double upper)
 
 TEST(Mappers, DataSetMapper_CastsAndReceivesInItsFirstFrame)
 {
-  // The ball's actor shows a volume mesh instead: VTK takes its surface out only when it draws for the first time.
+  // The ball's actor shows a volume mesh instead: VTK takes its surface out only when it draws for the first
+  // time.
   BallScene scene;
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputData(box(0.6, 1.4));
