@@ -15,15 +15,12 @@
 #include <vtkParametricFunctionSource.h>
 #include <vtkParametricTorus.h>
 #include <vtkProperty.h>
-#include <vtkRenderPassCollection.h>
-#include <vtkSequencePass.h>
-#include <vtkShadowMapBakerPass.h>
-#include <vtkShadowMapPass.h>
 #include <vtkSphereSource.h>
 
 #include "MaskTruth.h"
 #include "RayCaster.h"
 #include "SceneFromRenderer.h"
+#include "ShadowMap.h"
 #include "ShadowScene.h"
 
 namespace
@@ -144,17 +141,8 @@ void compareIn(const Size& size, const std::string& model, const std::string& ou
   light->SetConeAngle(40.0);
   light->SetExponent(0.0);
 
-  vtkNew<vtkShadowMapBakerPass> baker;
-  baker->SetResolution(2048);
-  vtkNew<vtkShadowMapPass> map;
-  map->SetShadowMapBakerPass(baker);
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(baker);
-  passes->AddItem(map);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
   vtkNew<vtkCameraPass> shadowMap;
-  shadowMap->SetDelegatePass(sequence);
+  useShadowMap(shadowMap);
 
   setAmbient(scene, 0.0);
   const Picture volumes = drawWith(scene, scene.pass);

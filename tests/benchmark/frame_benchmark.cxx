@@ -18,12 +18,9 @@
 
 #include <vtkCameraPass.h>
 #include <vtkOBJReader.h>
-#include <vtkRenderPassCollection.h>
-#include <vtkSequencePass.h>
-#include <vtkShadowMapBakerPass.h>
-#include <vtkShadowMapPass.h>
 #include <vtkSphereSource.h>
 
+#include "ShadowMap.h"
 #include "ShadowScene.h"
 
 namespace
@@ -72,16 +69,7 @@ public:
     this->light->SetFocalPoint(this->centre(0), this->centre(2), this->centre(4));
     this->moveLight();
 
-    vtkNew<vtkShadowMapBakerPass> baker;
-    baker->SetResolution(2048);
-    vtkNew<vtkShadowMapPass> map;
-    map->SetShadowMapBakerPass(baker);
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(baker);
-    passes->AddItem(map);
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    this->shadowMap->SetDelegatePass(sequence);
+    useShadowMap(this->shadowMap);
   }
 
   ~MovingLightScene()

@@ -8,36 +8,18 @@ namespace shadow::robustness
 namespace
 {
 
-void finish(HardScene& scene)
-{
-  scene.addGround();
-  scene.addTwoLights();
-  scene.lookAtGround();
-}
-
-void show(HardScene& scene, const TriangleSoup& soup)
-{
-  scene.addMesh(soup);
-  finish(scene);
-}
-
-TriangleSoup ringMesh()
-{
-  return moved(upright(test::makeTorus(0.9, 0.35, 48, 24)), {0.0, 0.9, 0.0});
-}
-
 void twoCoincidentCasters(HardScene& scene)
 {
-  scene.addMesh(ringMesh());
-  show(scene, ringMesh());
+  scene.addMesh(makeRing());
+  scene.show(makeRing());
 }
 
 void coincidentCastersWoundOppositely(HardScene& scene)
 {
-  TriangleSoup turned = ringMesh();
+  TriangleSoup turned = makeRing();
   test::turnInsideOut(turned);
   scene.addMesh(turned);
-  show(scene, ringMesh());
+  scene.show(makeRing());
 }
 
 // Sheets that lie on each other, the same points in another order, one wound the other way.
@@ -46,7 +28,7 @@ void coincidentOpenCasters(HardScene& scene)
   scene.addPlate({-1.0, 0.8, -0.8}, {2.0, 0.3, 0.0}, {0.0, 0.2, 1.6});
   TriangleSoup other = makeQuad({-1.0, 0.8, -0.8}, {2.0, 0.3, 0.0}, {0.0, 0.2, 1.6});
   other.triangles = {{2, 1, 0}, {3, 2, 0}};
-  show(scene, other);
+  scene.show(other);
 }
 
 // A sheet, and on a part of it another one in its plane, of other triangles.
@@ -54,7 +36,7 @@ void coplanarCasters(HardScene& scene)
 {
   const glm::dvec3 corner(-1.03, 0.81, -0.77), u(2.1, 0.3, 0.1), v(0.07, 0.2, 1.6);
   scene.addMesh(makeGrid(corner, u, v, 1));
-  show(scene, makeGrid(corner + 0.2 * u + 0.3 * v, 0.6 * u, 0.5 * v, 3));
+  scene.show(makeGrid(corner + 0.2 * u + 0.3 * v, 0.6 * u, 0.5 * v, 3));
 }
 
 void coplanarPartsOfOneMesh(HardScene& scene)
@@ -62,7 +44,7 @@ void coplanarPartsOfOneMesh(HardScene& scene)
   const glm::dvec3 corner(-1.03, 0.81, -0.77), u(2.1, 0.3, 0.1), v(0.07, 0.2, 1.6);
   TriangleSoup soup = makeGrid(corner, u, v, 1);
   test::append(soup, makeGrid(corner + 0.2 * u + 0.3 * v, 0.6 * u, 0.5 * v, 3));
-  show(scene, soup);
+  scene.show(soup);
 }
 
 // A carpet without thickness on the ground, and a cube on both.
@@ -70,7 +52,7 @@ void carpetOnGround(HardScene& scene)
 {
   scene.addMesh(makeGrid({-1.0, 0.0, -1.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 2.0}, 3));
   scene.addCube({0.0, 0.0, 0.0}, 0.7);
-  finish(scene);
+  scene.finish();
 }
 
 // Two cubes that share a whole face, and one that stands on another.
@@ -79,7 +61,7 @@ void touchingFaces(HardScene& scene)
   scene.addCube({-0.5, 0.0, 0.0});
   scene.addCube({0.5, 0.0, 0.0});
   scene.addMesh(test::makeCube({0.5, 1.25, 0.0}, 0.5));
-  finish(scene);
+  scene.finish();
 }
 
 } // namespace

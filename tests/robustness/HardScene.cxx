@@ -41,6 +41,26 @@ vtkActor* HardScene::addGround(double half)
   return this->addPlate({-half, 0.0, -half}, {0.0, 0.0, 2.0 * half}, {2.0 * half, 0.0, 0.0});
 }
 
+void HardScene::addSolids()
+{
+  this->addCube({-0.9, 0.0, 0.2});
+  this->addMesh(moved(upright(test::makeTorus(0.7, 0.25, 48, 24)), {0.9, 0.9, 0.1}));
+  this->addGround();
+}
+
+void HardScene::finish()
+{
+  this->addGround();
+  this->addTwoLights();
+  this->lookAtGround();
+}
+
+void HardScene::show(const TriangleSoup& soup)
+{
+  this->addMesh(soup);
+  this->finish();
+}
+
 void HardScene::addTwoLights()
 {
   this->addPointLight(-2.1, 4.3, 2.7);
@@ -55,6 +75,11 @@ void HardScene::look(const glm::dvec3& eye, const glm::dvec3& focus, double angl
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetViewAngle(angle);
   this->renderer->ResetCameraClippingRange();
+}
+
+TriangleSoup makeRing()
+{
+  return moved(upright(test::makeTorus(0.9, 0.35, 48, 24)), {0.0, 0.9, 0.0});
 }
 
 TriangleSoup upright(TriangleSoup soup)

@@ -29,6 +29,15 @@ public:
   /// A square floor at y = 0 around the origin.
   vtkActor* addGround(double half = 4.0);
 
+  /// A cube and a ring on the ground.
+  void addSolids();
+
+  /// Ground, two lights and the camera around what is there.
+  void finish();
+
+  /// A mesh, and finish().
+  void show(const TriangleSoup& soup);
+
   /// A point light and a directional light, both high and from the side.
   void addTwoLights();
 
@@ -52,6 +61,9 @@ TriangleSoup upright(TriangleSoup soup);
 
 TriangleSoup moved(TriangleSoup soup, const glm::dvec3& by);
 TriangleSoup scaled(TriangleSoup soup, double by);
+
+/// A torus that stands on the ground.
+TriangleSoup makeRing();
 
 /// Two triangles, corner to corner + u + v.
 TriangleSoup makeQuad(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v);

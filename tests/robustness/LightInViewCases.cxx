@@ -10,23 +10,16 @@ namespace shadow::robustness
 namespace
 {
 
-void addSolids(HardScene& scene)
-{
-  scene.addCube({-0.9, 0.0, 0.2});
-  scene.addMesh(moved(upright(test::makeTorus(0.7, 0.25, 48, 24)), {0.9, 0.9, 0.1}));
-  scene.addGround();
-}
-
 void lightAtCamera(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addPointLight(2.5, 4.0, 6.5);
   scene.lookAtGround();
 }
 
 void lightBehindCamera(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addPointLight(4.0, 7.0, 10.0);
   scene.lookAtGround();
 }
@@ -46,39 +39,39 @@ void addLightBeforeEye(HardScene& scene, double distance)
 
 void lightBetweenEyeAndNearPlane(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   addLightBeforeEye(scene, 1.0);
 }
 
 void lightOnNearPlane(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   addLightBeforeEye(scene, 2.0);
 }
 
 void lightJustBeyondNearPlane(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   addLightBeforeEye(scene, 2.001);
 }
 
 void lightInView(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addPointLight(0.1, 1.2, 0.4);
   scene.lookAtGround();
 }
 
 void directionalAlongView(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addDirectionalLight(-2.5, -3.6, -6.5);
   scene.lookAtGround();
 }
 
 void directionalAgainstView(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addDirectionalLight(2.5, -0.6, 6.5);
   scene.look({2.5, 0.9, 6.5}, {0.0, 0.3, 0.0});
 }
@@ -114,14 +107,14 @@ void directionalAlongFacesAndEdges(HardScene& scene)
 // Farther away than single precision keeps beside the scene.
 void lightVeryFar(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addPointLight(-2.0e8, 5.0e8, 3.0e8);
   scene.lookAtGround();
 }
 
 void lightVeryNear(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addPointLight(-0.7, 1.00001, 0.3);
   scene.lookAtGround();
 }

@@ -10,24 +10,6 @@ namespace shadow::robustness
 namespace
 {
 
-void finish(HardScene& scene)
-{
-  scene.addGround();
-  scene.addTwoLights();
-  scene.lookAtGround();
-}
-
-void show(HardScene& scene, const TriangleSoup& soup)
-{
-  scene.addMesh(soup);
-  finish(scene);
-}
-
-TriangleSoup ringMesh()
-{
-  return moved(upright(test::makeTorus(0.9, 0.35, 48, 24)), {0.0, 0.9, 0.0});
-}
-
 // A disc of needles around its middle, each a thousand times as long as it is wide, and a plate of parallel
 // ones.
 void slivers(HardScene& scene)
@@ -46,13 +28,13 @@ void slivers(HardScene& scene)
   {
     test::append(soup, makeQuad({-2.0, 0.5 + 5e-4 * i, 0.5}, {0.0, 5e-4, 0.0}, {1.0, 0.0, 0.4}));
   }
-  show(scene, soup);
+  scene.show(soup);
 }
 
 // Needles so thin that their normals are nothing but rounding, in an otherwise sound mesh.
 void thinnestSlivers(HardScene& scene)
 {
-  TriangleSoup soup = ringMesh();
+  TriangleSoup soup = makeRing();
   for (int i = 0; i < 50; ++i)
   {
     const auto first = static_cast<std::uint32_t>(soup.points.size());
@@ -61,12 +43,12 @@ void thinnestSlivers(HardScene& scene)
     soup.points.insert(soup.points.end(), {from, to, 0.37 * from + 0.63 * to + glm::dvec3(0.0, 1e-13, 0.0)});
     soup.triangles.push_back({first, first + 1, first + 2});
   }
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void zeroAreaTriangles(HardScene& scene)
 {
-  TriangleSoup soup = ringMesh();
+  TriangleSoup soup = makeRing();
   const auto points = static_cast<std::uint32_t>(soup.points.size());
   for (std::uint32_t i = 0; i + 7 < points; i += 7)
   {
@@ -82,12 +64,12 @@ void zeroAreaTriangles(HardScene& scene)
   soup.triangles.push_back({first, first + 1, first + 2});
   soup.triangles.push_back({first + 3, first + 4, first + 5});
   soup.triangles.push_back({first + 3, first + 5, first + 4});
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void duplicateTriangles(HardScene& scene)
 {
-  TriangleSoup soup = ringMesh();
+  TriangleSoup soup = makeRing();
   const std::vector<std::array<std::uint32_t, 3>> once = soup.triangles;
   for (std::size_t i = 0; i < once.size(); i += 3)
   {
@@ -98,19 +80,19 @@ void duplicateTriangles(HardScene& scene)
     soup.triangles.push_back({once[i][1], once[i][2], once[i][0]});
     soup.triangles.push_back({once[i][1], once[i][0], once[i][2]}); // and turned round
   }
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void wholeMeshTwice(HardScene& scene)
 {
-  TriangleSoup soup = ringMesh();
-  test::append(soup, ringMesh());
-  show(scene, soup);
+  TriangleSoup soup = makeRing();
+  test::append(soup, makeRing());
+  scene.show(soup);
 }
 
 void duplicateVertices(HardScene& scene)
 {
-  show(scene, test::makeUnshared(ringMesh()));
+  scene.show(test::makeUnshared(makeRing()));
 }
 
 // One side of the seam has a point that the other side has not; in a closed box and in a bent sheet.
@@ -126,12 +108,12 @@ void tJunctions(HardScene& scene)
   test::append(soup, makeQuad(low + x + y + z, -y, -z));
   test::append(soup, makeGrid({0.2, 0.7, -0.5}, {1.0, 0.3, 0.0}, {0.0, 0.1, 1.0}, 5));
   test::append(soup, makeQuad({1.2, 1.0, -0.5}, {0.8, -0.4, 0.0}, {0.0, 0.1, 1.0}));
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void openDome(HardScene& scene)
 {
-  show(scene, moved(makeDome(1.0, 48), {0.0, 0.5, 0.0}));
+  scene.show(moved(makeDome(1.0, 48), {0.0, 0.5, 0.0}));
 }
 
 void openBowl(HardScene& scene)
@@ -141,12 +123,12 @@ void openBowl(HardScene& scene)
   {
     point.y = 1.2 - point.y;
   }
-  show(scene, bowl);
+  scene.show(bowl);
 }
 
 void openCylinder(HardScene& scene)
 {
-  show(scene, moved(upright(scaled(test::makeOpenCylinder(48), 0.8)), {0.0, 0.9, 0.0}));
+  scene.show(moved(upright(scaled(test::makeOpenCylinder(48), 0.8)), {0.0, 0.9, 0.0}));
 }
 
 void singleTriangle(HardScene& scene)
@@ -154,48 +136,48 @@ void singleTriangle(HardScene& scene)
   TriangleSoup soup;
   soup.points = {{-1.0, 0.4, 0.5}, {1.2, 0.9, 0.3}, {0.1, 1.3, -0.9}};
   soup.triangles = {{0, 1, 2}};
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void moebiusStrip(HardScene& scene)
 {
-  show(scene, moved(upright(test::makeMoebius(48)), {0.0, 0.9, 0.0}));
+  scene.show(moved(upright(test::makeMoebius(48)), {0.0, 0.9, 0.0}));
 }
 
 void manyTrianglesOnOneEdge(HardScene& scene)
 {
-  show(scene, moved(upright(test::makeBook(7)), {0.0, 1.2, 0.0}));
+  scene.show(moved(upright(test::makeBook(7)), {0.0, 1.2, 0.0}));
 }
 
 void bowTie(HardScene& scene)
 {
-  show(scene, moved(upright(test::makeBowTie()), {0.0, 1.1, 0.0}));
+  scene.show(moved(upright(test::makeBowTie()), {0.0, 1.1, 0.0}));
 }
 
 void cubesSharingAnEdge(HardScene& scene)
 {
-  show(scene, moved(upright(scaled(test::makeCubesSharingAnEdge(), 0.5)), {0.0, 0.6, 0.0}));
+  scene.show(moved(upright(scaled(test::makeCubesSharingAnEdge(), 0.5)), {0.0, 0.6, 0.0}));
 }
 
 void inconsistentWinding(HardScene& scene)
 {
-  TriangleSoup soup = ringMesh();
+  TriangleSoup soup = makeRing();
   test::turnRandomly(soup, 7);
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void inconsistentWindingUnshared(HardScene& scene)
 {
-  TriangleSoup soup = test::makeUnshared(ringMesh());
+  TriangleSoup soup = test::makeUnshared(makeRing());
   test::turnRandomly(soup, 11);
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void insideOut(HardScene& scene)
 {
-  TriangleSoup soup = ringMesh();
+  TriangleSoup soup = makeRing();
   test::turnInsideOut(soup);
-  show(scene, soup);
+  scene.show(soup);
 }
 
 // Two closed parts, one of them inside out.
@@ -204,28 +186,28 @@ void halfInsideOut(HardScene& scene)
   TriangleSoup soup = test::makeCube({-1.2, 0.6, 0.0}, 1.0);
   test::turnInsideOut(soup);
   test::append(soup, moved(upright(test::makeSphere(0.6, 32, 16)), {0.8, 0.7, 0.2}));
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void selfIntersecting(HardScene& scene)
 {
-  TriangleSoup soup = ringMesh();
+  TriangleSoup soup = makeRing();
   test::append(soup, test::makeCube({0.7, 0.9, 0.1}, 1.1));
   test::append(soup, moved(test::makeSphere(0.5, 24, 12), {0.3, 1.1, 0.5}));
-  show(scene, soup);
+  scene.show(soup);
 }
 
 void intersectingActors(HardScene& scene)
 {
-  scene.addMesh(ringMesh());
+  scene.addMesh(makeRing());
   scene.addMesh(test::makeCube({0.7, 0.9, 0.1}, 1.1));
   scene.addMesh(moved(test::makeSphere(0.5, 24, 12), {0.3, 1.1, 0.5}));
-  finish(scene);
+  scene.finish();
 }
 
 void randomSoup(HardScene& scene)
 {
-  show(scene, moved(test::makeRandomSoup(80, 5), {0.0, 1.2, 0.0}));
+  scene.show(moved(test::makeRandomSoup(80, 5), {0.0, 1.2, 0.0}));
 }
 
 } // namespace

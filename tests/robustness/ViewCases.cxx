@@ -11,16 +11,9 @@ namespace shadow::robustness
 namespace
 {
 
-void addSolids(HardScene& scene)
-{
-  scene.addCube({-0.9, 0.0, 0.2});
-  scene.addMesh(moved(upright(test::makeTorus(0.7, 0.25, 48, 24)), {0.9, 0.9, 0.1}));
-  scene.addGround();
-}
-
 void addLitSolids(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addTwoLights();
   scene.lookAtGround();
 }
@@ -45,7 +38,7 @@ void parallelProjection(HardScene& scene)
 
 void parallelCameraInsideVolume(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addPlate({-1.0, 4.6, 4.0}, {5.0, 0.0, 0.0}, {0.0, 0.0, 3.0});
   scene.addPointLight(2.0, 9.0, 6.0);
   scene.addDirectionalLight(-0.1, -1.0, -0.2);
@@ -64,7 +57,7 @@ void parallelNearPlaneCutsCasters(HardScene& scene)
 // Both ends of the clipping range around the eye, as only a parallel view can have it.
 void parallelCameraInTheScene(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addTwoLights();
   scene.look({0.3, 0.6, 0.4}, {0.0, 0.4, 0.0});
   cameraOf(scene)->ParallelProjectionOn();
@@ -74,7 +67,7 @@ void parallelCameraInTheScene(HardScene& scene)
 
 void parallelLightAlongView(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addDirectionalLight(-2.5, -3.6, -6.5);
   scene.addPointLight(2.5, 4.0, 6.5);
   scene.lookAtGround();
@@ -113,7 +106,7 @@ void offCentreParallelView(HardScene& scene)
 
 void offCentreCameraInsideVolume(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   scene.addPlate({0.0, 3.0, 3.5}, {2.0, 0.0, 0.0}, {0.0, 0.0, 2.0});
   scene.addPointLight(1.2, 7.0, 4.0);
   scene.look({1.0, 1.5, 4.5}, {0.0, 0.3, 0.0}, 50.0);
@@ -224,7 +217,7 @@ void receiverFillsView(HardScene& scene)
 // One huge triangle in front of the camera, lit from behind: all of the view is in its shadow.
 void casterFillsView(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   TriangleSoup triangle;
   triangle.points = {{-5000.0, -4000.0, 3.0}, {6000.0, -4000.0, 3.0}, {100.0, 7000.0, 3.0}};
   triangle.triangles = {{0, 1, 2}};
@@ -237,7 +230,7 @@ void casterFillsView(HardScene& scene)
 // It hides the light from all that is seen, but is not seen itself.
 void casterFillsViewOfLight(HardScene& scene)
 {
-  addSolids(scene);
+  scene.addSolids();
   TriangleSoup triangle;
   triangle.points = {{-5000.0, 3.0, 4000.0}, {6000.0, 3.0, 4000.0}, {100.0, 3.0, -1.0}};
   triangle.triangles = {{0, 1, 2}};

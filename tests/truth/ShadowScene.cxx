@@ -30,18 +30,18 @@ vtkActor* ShadowScene::addSource(vtkAlgorithm* source)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.15);
-  actor->GetProperty()->SetDiffuse(0.85);
-  this->renderer->AddActor(actor);
-  return actor;
+  return this->addMapper(mapper);
 }
 
 vtkActor* ShadowScene::addPolyData(vtkPolyData* polyData)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(polyData);
+  return this->addMapper(mapper);
+}
+
+vtkActor* ShadowScene::addMapper(vtkMapper* mapper)
+{
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetAmbient(0.15);

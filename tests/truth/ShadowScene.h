@@ -14,6 +14,7 @@
 #include "RayCaster.h"
 
 class vtkAlgorithm;
+class vtkMapper;
 
 namespace shadow::truth
 {
@@ -46,6 +47,7 @@ public:
 
   vtkActor* addSource(vtkAlgorithm* source); ///< an actor for a source's or reader's output
   vtkActor* addPolyData(vtkPolyData* polyData);
+  vtkActor* addMapper(vtkMapper* mapper);
 
   /// A rectangle across the scene's visible props, just below their lowest point along y; larger than them by
   /// @p factor.
