@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 namespace shadow
 {
 
@@ -202,8 +200,7 @@ bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& 
   {
     return false;
   }
-  const glm::dmat4 worldFromMC = glm::translate(wcFromModel, geometry.getOrigin());
-  glm::dvec4 plane = *geometry.getCommonPlane() * glm::inverse(worldFromMC);
+  glm::dvec4 plane = *geometry.getCommonPlane() * glm::inverse(worldFromRelative(geometry, wcFromModel));
   plane /= glm::length(glm::dvec3(plane));
   plane = glm::dot(plane, light.positionWC) < 0.0 ? -plane : plane;
   const glm::dvec3& lower = this->sceneBounds.lowerWC;

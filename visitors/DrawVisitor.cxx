@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "OpenGL.h"
 
 namespace shadow
@@ -30,9 +28,8 @@ void DrawVisitor::apply(SEDGeode& geode)
 }
 
 // Sets the matrices; true when counter-clockwise in model space is clockwise on the screen.
-bool DrawVisitor::setMatrices(const SEDGeode& geode)
+bool DrawVisitor::setMatrices(const glm::dmat4& wcFromMC)
 {
-  const glm::dmat4 wcFromMC = glm::translate(this->getModelToWorld(), geode.getGeometry().getOrigin());
   setUniform(this->pass.program, "clipFromMC", this->pass.clipFromWC * wcFromMC);
   if (this->pass.view->parallel)
   {
@@ -43,7 +40,7 @@ bool DrawVisitor::setMatrices(const SEDGeode& geode)
 
 void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
 {
-  const bool mirrored = this->setMatrices(geode);
+  const bool mirrored = this->setMatrices(worldFromRelative(geode.getGeometry(), this->getModelToWorld()));
   glFrontFace(mirrored ? GL_CW : GL_CCW);
   SEDGeometryDrawable& drawable = this->pass.drawables->getGeometry(geode.getSharedGeometry());
   const ReachableBitsBuffer& reachableBits =
@@ -64,11 +61,11 @@ void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
 
 void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light, StencilCount count)
 {
-  const bool mirrored = this->setMatrices(geode);
+  const glm::dmat4 wcFromMC = worldFromRelative(geode.getGeometry(), this->getModelToWorld());
+  const bool mirrored = this->setMatrices(wcFromMC);
   setUniform(this->pass.program, "lightMC", light.lightMC);
   // A plane goes the other way: as a row vector from the left.
-  glm::dvec4 farPlaneMC =
-      light.plan.farPlaneWC * glm::translate(this->getModelToWorld(), geode.getGeometry().getOrigin());
+  glm::dvec4 farPlaneMC = light.plan.farPlaneWC * wcFromMC;
   farPlaneMC /= std::max(glm::length(glm::dvec3(farPlaneMC)), std::abs(farPlaneMC.w));
   setUniform(this->pass.program, "farPlaneMC", farPlaneMC);
   SEDGeometryDrawable& geometry = this->pass.drawables->getGeometry(geode.getSharedGeometry());

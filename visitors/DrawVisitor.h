@@ -51,7 +51,7 @@ public:
   const Counts& getCounts() const { return this->counts; }
 
 private:
-  bool setMatrices(const SEDGeode& geode);
+  bool setMatrices(const glm::dmat4& wcFromMC);
   void drawGeometry(const SEDGeode& geode, const PathState& path);
   void drawVolumes(const SEDGeode& geode, const PathLightState& light, StencilCount count);
 

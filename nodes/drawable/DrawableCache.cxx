@@ -1,31 +1,9 @@
 #include "DrawableCache.h"
 
+#include "SweepUnused.h"
+
 namespace shadow
 {
-
-namespace
-{
-
-template <class Map, class Get>
-void sweepMap(Map& map, Get&& get)
-{
-  for (auto entry = map.begin(); entry != map.end();)
-  {
-    auto& drawable = get(entry->second);
-    if (drawable.used)
-    {
-      drawable.used = false;
-      ++entry;
-    }
-    else
-    {
-      drawable.release(false);
-      entry = map.erase(entry);
-    }
-  }
-}
-
-} // namespace
 
 SEDGeometryDrawable& DrawableCache::getGeometry(const std::shared_ptr<const SEDGeometry>& geometry)
 {
@@ -39,7 +17,7 @@ SEDGeometryDrawable& DrawableCache::getGeometry(const std::shared_ptr<const SEDG
     entry.drawable = std::make_unique<SEDGeometryDrawable>(*geometry);
     entry.geometry = geometry;
   }
-  entry.drawable->used = true;
+  entry.used = true;
   return *entry.drawable;
 }
 
@@ -69,9 +47,9 @@ ShadowVolumeDrawable& DrawableCache::getVolume(const PathLightState& light, std:
 
 void DrawableCache::sweep()
 {
-  sweepMap(this->geometries, [](GeometryEntry& entry) -> SEDGeometryDrawable& { return *entry.drawable; });
-  sweepMap(this->reachableBits, [](ReachableBitsBuffer& buffer) -> ReachableBitsBuffer& { return buffer; });
-  sweepMap(this->volumes, [](ShadowVolumeDrawable& volume) -> ShadowVolumeDrawable& { return volume; });
+  sweepUnused(this->geometries, [](GeometryEntry& entry) { entry.drawable->release(false); });
+  sweepUnused(this->reachableBits, [](ReachableBitsBuffer& buffer) { buffer.release(false); });
+  sweepUnused(this->volumes, [](ShadowVolumeDrawable& volume) { volume.release(false); });
 }
 
 void DrawableCache::release(bool contextLost)

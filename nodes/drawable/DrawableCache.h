@@ -42,6 +42,7 @@ private:
   {
     std::weak_ptr<const SEDGeometry> geometry; ///< guards against another geometry at the same address
     std::unique_ptr<SEDGeometryDrawable> drawable;
+    bool used = false; ///< since the last sweep
   };
   std::map<const SEDGeometry*, GeometryEntry> geometries;
   std::map<const PathState*, ReachableBitsBuffer> reachableBits;

@@ -71,8 +71,6 @@ public:
 
   std::size_t getMemorySize() const { return this->bytes; }
 
-  bool used = false; ///< since the cache was swept last
-
 private:
   void bind(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits);
   void sortByWinding();

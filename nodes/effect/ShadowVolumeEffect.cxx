@@ -174,7 +174,6 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
 
 bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light)
 {
-  // The stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
   vtkOpenGLState* state = window->GetState();
   ShadowPrograms programs(window);
   vtkShaderProgram* program = nullptr;
@@ -212,6 +211,7 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     DrawVisitor::Pass pass = this->makeDrawPass(state, program, view);
     pass.makeRoom = [&](std::size_t bound)
     {
+      // The stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
       if (counted + bound > mostCountable && counted > 0)
       {
         fold();

@@ -3,6 +3,10 @@
 #include <atomic>
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "SweepUnused.h"
+
 namespace shadow
 {
 
@@ -20,18 +24,7 @@ PathState& SEDGeode::getPathState(const NodePath& path)
 
 void SEDGeode::dropUnusedPaths()
 {
-  for (auto entry = this->paths.begin(); entry != this->paths.end();)
-  {
-    if (entry->second.used)
-    {
-      entry->second.used = false;
-      ++entry;
-    }
-    else
-    {
-      entry = this->paths.erase(entry);
-    }
-  }
+  sweepUnused(this->paths);
 }
 
 std::size_t SEDGeode::countVolumes() const
@@ -83,6 +76,11 @@ std::uint64_t nextRevision()
 {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
+}
+
+glm::dmat4 worldFromRelative(const SEDGeometry& geometry, const glm::dmat4& modelToWorld)
+{
+  return glm::translate(modelToWorld, geometry.getOrigin());
 }
 
 bool isInvertible(const glm::dmat4& modelToWorld)

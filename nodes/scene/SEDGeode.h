@@ -129,6 +129,9 @@ BoxCorners worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWo
 /// A number that has not been handed out before; for PathLightState::revision.
 std::uint64_t nextRevision();
 
+/// World space from positions relative to a geometry's origin.
+glm::dmat4 worldFromRelative(const SEDGeometry& geometry, const glm::dmat4& modelToWorld);
+
 /// False for a matrix that flattens, or that is not finite.
 bool isInvertible(const glm::dmat4& modelToWorld);
 

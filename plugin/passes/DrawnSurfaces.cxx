@@ -21,6 +21,8 @@
 #include <vtkCompositePolyDataMapper2.h>
 #endif
 
+#include "SweepUnused.h"
+
 namespace shadow
 {
 

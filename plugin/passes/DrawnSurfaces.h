@@ -1,7 +1,6 @@
 #ifndef DrawnSurfaces_h
 #define DrawnSurfaces_h
 
-#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -25,18 +24,6 @@ namespace shadow
 
 /// The props from a renderer's prop down to an actor in it.
 using PropPath = std::vector<vtkProp*>;
-
-/// Erases a map's entries that have not been used since the last call.
-template <class Map>
-void sweepUnused(Map& map)
-{
-  for (auto entry = map.begin(); entry != map.end();)
-  {
-    const bool used = entry->second.used;
-    entry->second.used = false;
-    entry = used ? std::next(entry) : map.erase(entry);
-  }
-}
 
 /// The polygons that VTK draws for an actor: visible blocks of composite data, surfaces of volume meshes, and
 /// what the mapper's clipping planes leave. What has to be computed is kept until its input changes.

@@ -1,6 +1,7 @@
 #include "LightingHook.h"
 
 #include <algorithm>
+#include <array>
 
 #include <glm/gtc/matrix_access.hpp>
 
@@ -159,7 +160,7 @@ void LightingHook::setUniforms(vtkShaderProgram* program) const
   {
     return;
   }
-  std::vector<float> values(maximumLights, 0.0f);
+  std::array<float, maximumLights> values{};
   std::copy_n(this->strength.begin(), std::min<std::size_t>(this->strength.size(), maximumLights),
               values.begin());
   program->SetUniform1fv("shadowStrength", maximumLights, values.data());

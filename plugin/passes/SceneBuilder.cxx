@@ -16,6 +16,7 @@
 #include <vtkRenderer.h>
 
 #include "MeshImport.h"
+#include "SweepUnused.h"
 
 namespace shadow
 {
