@@ -77,11 +77,13 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
       continue;
     }
     this->pass.makeRoom(volume.overlapBound);
+    const FaceCounter counter(
+        {this->pass.state, this->pass.program, this->pass.countBuffer, this->pass.reversedDepth}, count,
+        mirrored);
     ShadowVolumeDrawable& drawable = this->pass.drawables->getVolume(light, part);
-    drawable.draw(this->pass.state, this->pass.program, geometry.getVolumeVertexBuffer(), count,
-                  this->pass.reversedDepth, mirrored);
-    this->counts.sides += volume.sides.size();
-    this->counts.caps += volume.getTriangleCount() - volume.sides.size();
+    drawable.draw(counter, geometry.getVolumeVertexBuffer());
+    this->counts.sides += volume.getSideCount();
+    this->counts.caps += volume.getCapCount();
     this->counts.silhouetteEdges += volume.silhouetteEdges;
   }
 }

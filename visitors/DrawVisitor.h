@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "DrawableCache.h"
+#include "FaceCounter.h"
 #include "NodeVisitor.h"
 #include "SEDGeode.h"
 #include "ShadowPrograms.h"
@@ -22,7 +23,7 @@ namespace shadow
 class DrawVisitor : public NodeVisitor
 {
 public:
-  /// Triangles handed to the GL.
+  /// Triangles, those of volumes as often as they count.
   struct Counts
   {
     std::size_t geometry = 0;
@@ -38,9 +39,10 @@ public:
     vtkShaderProgram* program = nullptr;
     DrawableCache* drawables = nullptr;
     const View* view = nullptr;
-    glm::dmat4 clipFromWC{1.0};                ///< with the depth row of the shadow stages
-    bool reversedDepth = true;                 ///< see DepthRange
-    std::function<void(std::size_t)> makeRoom; ///< called before a volume with its overlap bound
+    glm::dmat4 clipFromWC{1.0};                     ///< with the depth row of the shadow stages
+    bool reversedDepth = true;                      ///< see DepthRange
+    CountBuffer countBuffer = CountBuffer::Stencil; ///< for volumes
+    std::function<void(std::size_t)> makeRoom;      ///< called before a volume with its overlap bound
   };
 
   explicit DrawVisitor(Pass thePass) : pass(std::move(thePass)) {}

@@ -66,7 +66,9 @@ void SEDVisitor::apply(SEDGeode& geode)
   {
     PathLightState& state = path.lights[light.index];
     const bool wanted = state.faced && state.plan.count != StencilCount::Skip;
-    if (wanted && !(state.extruded && state.extrudedPlan.hasFacesOf(state.plan)))
+    const bool kept = state.extruded && state.extrudedPlan.hasFacesOf(state.plan) &&
+                      state.extrudedCountable == this->countable;
+    if (wanted && !kept)
     {
       this->refreshVolume(geode.getGeometry(), state);
     }
@@ -125,9 +127,11 @@ void SEDVisitor::refreshVolume(const SEDGeometry& geometry, PathLightState& stat
   options.lightCap = state.plan.lightCap;
   options.darkCap = state.plan.darkCap;
   options.farAtInfinity = state.plan.isFarAtInfinity();
+  options.countable = this->countable;
   state.volumes = makeCountableVolumes(geometry, this->finder, state.facing, state.lightMC, options);
   state.extruded = true;
   state.extrudedPlan = state.plan;
+  state.extrudedCountable = this->countable;
   state.revision = nextRevision();
   ++this->rebuiltVolumes;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "Light.h"
@@ -27,8 +28,10 @@ public:
     Extrude ///< silhouettes and volumes; after Face
   };
 
-  SEDVisitor(Stage theStage, const std::vector<Light>& theLights, const SilhouetteFinder& theFinder)
-      : stage(theStage), lights(theLights), finder(theFinder)
+  /// @param theCountable  see ShadowVolumeOptions; for Extrude
+  SEDVisitor(Stage theStage, const std::vector<Light>& theLights, const SilhouetteFinder& theFinder,
+             std::size_t theCountable = mostCountable)
+      : stage(theStage), lights(theLights), finder(theFinder), countable(theCountable)
   {
   }
 
@@ -44,6 +47,7 @@ private:
   Stage stage;
   const std::vector<Light>& lights;
   const SilhouetteFinder& finder;
+  std::size_t countable;
   int rebuiltVolumes = 0;
 };
 

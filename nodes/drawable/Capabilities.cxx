@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 
 #include "OpenGL.h"
 
@@ -45,11 +46,19 @@ Capabilities queryCapabilities()
   capabilities.usable = true;
   capabilities.clipControl =
       (version >= 45 || hasExtension("GL_ARB_clip_control")) && glClipControl != nullptr;
+  capabilities.sampleShading = version >= 40 || hasExtension("GL_ARB_sample_shading");
+  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  for (const char* software : {"llvmpipe", "softpipe", "SWR", "Software Rasterizer"})
+  {
+    capabilities.software = capabilities.software || renderer.find(software) != std::string::npos;
+  }
   GLint integerSamples = 1;
   GLint depthSamples = 1;
+  GLint colorSamples = 1;
   glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integerSamples);
   glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &depthSamples);
-  capabilities.maximumSamples = std::max(1, std::min(integerSamples, depthSamples));
+  glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &colorSamples);
+  capabilities.maximumSamples = std::max(1, std::min({integerSamples, depthSamples, colorSamples}));
   return capabilities;
 }
 

@@ -33,14 +33,16 @@ GLStateScope::GLStateScope(vtkOpenGLState* vtkState, bool hasClipControl)
     : state(vtkState), viewport(vtkState), scissor(vtkState), colorMask(vtkState), depthMask(vtkState),
       depthFunc(vtkState), activeTexture(vtkState), scissorTest(vtkState, GL_SCISSOR_TEST),
       depthTest(vtkState, GL_DEPTH_TEST), stencilTest(vtkState, GL_STENCIL_TEST), blend(vtkState, GL_BLEND),
-      cullFace(vtkState, GL_CULL_FACE), front(readStencil(true)), back(readStencil(false)),
-      cullFaceMode(getInteger(GL_CULL_FACE_MODE)), frontFace(getInteger(GL_FRONT_FACE)),
-      provokingVertex(getInteger(GL_PROVOKING_VERTEX)), logicOpMode(getInteger(GL_LOGIC_OP_MODE)),
-      stencilClear(getInteger(GL_STENCIL_CLEAR_VALUE)), logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE),
-      depthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE),
+      cullFace(vtkState, GL_CULL_FACE), blendFunction(vtkState), front(readStencil(true)),
+      back(readStencil(false)), cullFaceMode(getInteger(GL_CULL_FACE_MODE)),
+      frontFace(getInteger(GL_FRONT_FACE)), provokingVertex(getInteger(GL_PROVOKING_VERTEX)),
+      logicOpMode(getInteger(GL_LOGIC_OP_MODE)), stencilClear(getInteger(GL_STENCIL_CLEAR_VALUE)),
+      logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE), depthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE),
       polygonOffset(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE), clipControl(hasClipControl)
 {
   glGetIntegerv(GL_POLYGON_MODE, this->polygonMode);
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->blendEquation[0]);
+  glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->blendEquation[1]);
   if (this->clipControl)
   {
     this->clipOrigin = getInteger(GL_CLIP_ORIGIN);
@@ -62,6 +64,8 @@ GLStateScope::~GLStateScope()
   glFrontFace(static_cast<GLenum>(this->frontFace));
   // A core profile knows one mode for both faces.
   glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(this->polygonMode[0]));
+  this->state->vtkglBlendEquationSeparate(static_cast<GLenum>(this->blendEquation[0]),
+                                          static_cast<GLenum>(this->blendEquation[1]));
   this->state->vtkglCullFace(static_cast<GLenum>(this->cullFaceMode));
   this->restoreStencil(GL_FRONT, this->front);
   this->restoreStencil(GL_BACK, this->back);

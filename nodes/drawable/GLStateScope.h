@@ -42,8 +42,10 @@ private:
   vtkOpenGLState::ScopedglEnableDisable stencilTest;
   vtkOpenGLState::ScopedglEnableDisable blend;
   vtkOpenGLState::ScopedglEnableDisable cullFace;
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction;
   StencilFace front;
   StencilFace back;
+  int blendEquation[2] = {0, 0}; ///< colour, alpha
   int cullFaceMode = 0;
   int frontFace = 0;
   int provokingVertex = 0;

@@ -28,14 +28,26 @@ std::string withSwitches(const char* source, const std::string& switches)
 
 vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel)
 {
-  static constexpr std::array<const char* const*, 4> vertexSources = {
-      &shaders::extrude_vert, &shaders::extrude_vert, &shaders::screen_vert, &shaders::screen_vert};
-  static constexpr std::array<const char* const*, 4> fragmentSources = {
-      &shaders::prepass_frag, &shaders::volume_frag, &shaders::mask_frag, &shaders::resolve_frag};
-  std::string switches = parallel ? "#define SHADOW_PARALLEL\n" : "";
-  switches += stage == PrePass ? "#define SHADOW_PREPASS\n" : "";
-  const std::string vertex = withSwitches(*vertexSources[stage], switches);
-  const std::string fragment = withSwitches(*fragmentSources[stage], switches);
+  struct Sources
+  {
+    const char* vertex;
+    const char* fragment;
+    const char* switches;
+  };
+  static const std::array<Sources, 7> stages = {
+      Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
+      Sources{shaders::extrude_vert, shaders::volume_frag, ""},
+      Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
+      Sources{shaders::screen_vert, shaders::mask_frag, ""},
+      Sources{shaders::screen_vert, shaders::mask_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
+      Sources{shaders::screen_vert, shaders::mask_frag,
+              "#extension GL_ARB_sample_shading : require\n"
+              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTISAMPLE\n"},
+      Sources{shaders::screen_vert, shaders::resolve_frag, ""}};
+  const Sources& sources = stages[stage];
+  const std::string switches = sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "");
+  const std::string vertex = withSwitches(sources.vertex, switches);
+  const std::string fragment = withSwitches(sources.fragment, switches);
   return this->window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }
 

@@ -17,8 +17,11 @@ public:
   enum Stage
   {
     PrePass,
-    Volume,
-    Mask,
+    VolumeInStencil, ///< see CountBuffer
+    VolumeInColor,
+    MaskFromStencil,
+    MaskFromColor,
+    MaskFromSamples, ///< the same with several samples a pixel
     Resolve
   };
 

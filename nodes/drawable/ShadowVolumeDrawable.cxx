@@ -1,6 +1,5 @@
 #include "ShadowVolumeDrawable.h"
 
-#include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
 #include "OpenGL.h"
@@ -9,28 +8,6 @@
 namespace shadow
 {
 
-namespace
-{
-
-// Faces whose outside is seen are entered, the others left, as the eye looks along the ray.
-void setStencilOperations(vtkOpenGLState* state, StencilCount count, bool outsideIsFrontFace)
-{
-  const GLenum outside = outsideIsFrontFace ? GL_FRONT : GL_BACK;
-  const GLenum inside = outsideIsFrontFace ? GL_BACK : GL_FRONT;
-  if (count == StencilCount::ZPass)
-  {
-    state->vtkglStencilOpSeparate(outside, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
-    state->vtkglStencilOpSeparate(inside, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
-  }
-  else
-  {
-    state->vtkglStencilOpSeparate(outside, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-    state->vtkglStencilOpSeparate(inside, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-  }
-}
-
-} // namespace
-
 void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
 {
   if (this->vertexArray == 0)
@@ -38,16 +15,19 @@ void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
     glGenVertexArrays(1, &this->vertexArray);
     glGenBuffers(1, &this->indexBuffer);
   }
-  this->sideTriangles = volume.sides.size();
-  this->outwardTriangles = volume.lightCap.size() + volume.darkCap.size();
-  this->inwardTriangles = volume.lightCapReversed.size();
+  this->sides = volume.sides.size();
+  this->doubledSides = volume.doubledSides.size();
+  this->caps = volume.lightCap.size() + volume.darkCap.size();
+  this->doubledCaps = volume.doubledDarkCap.size();
+  this->reversedCaps = volume.lightCapReversed.size();
   this->bytes = volume.getTriangleCount() * sizeof(ShadowVolume::Triangle);
 
   glBindVertexArray(this->vertexArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->bytes), nullptr, GL_STREAM_DRAW);
   GLintptr offset = 0;
-  for (const auto* faces : {&volume.sides, &volume.lightCap, &volume.darkCap, &volume.lightCapReversed})
+  for (const auto* faces : {&volume.sides, &volume.doubledSides, &volume.lightCap, &volume.darkCap,
+                            &volume.doubledDarkCap, &volume.lightCapReversed})
   {
     const auto size = static_cast<GLsizeiptr>(faces->size() * sizeof(ShadowVolume::Triangle));
     if (size > 0)
@@ -59,31 +39,31 @@ void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
   glBindVertexArray(0);
 }
 
-void ShadowVolumeDrawable::draw(vtkOpenGLState* state, vtkShaderProgram* program, unsigned int vertexBuffer,
-                                StencilCount count, bool reversedDepth, bool mirrored)
+void ShadowVolumeDrawable::draw(const FaceCounter& counter, unsigned int vertexBuffer)
 {
+  vtkShaderProgram* program = counter.getProgram();
   glBindVertexArray(this->vertexArray);
   bindFloats(program, "vertexMC", vertexBuffer, 4);
-  setStencilOperations(state, count, !mirrored);
-  if (this->sideTriangles > 0)
+  std::size_t first = 0;
+  const auto count = [&](std::size_t triangles, int multiplicity, bool inward)
   {
-    // Relative to the distance, and so the same number of units everywhere.
-    constexpr float rounding = 1.2e-7f; // two units in the last place
-    const float bias[2] = {1.0f - rounding, reversedDepth ? 0.0f : rounding};
-    program->SetUniform2f("depthBias", bias);
-    drawTriangles(0, this->sideTriangles);
-  }
+    if (triangles > 0)
+    {
+      counter.count(multiplicity, inward, [&] { drawTriangles(first, triangles); });
+    }
+    first += triangles;
+  };
+  // Relative to the distance, and so the same number of units everywhere.
+  constexpr float rounding = 1.2e-7f; // two units in the last place
+  const float bias[2] = {1.0f - rounding, counter.isDepthReversed() ? 0.0f : rounding};
+  program->SetUniform2f("depthBias", bias);
+  count(this->sides, 1, false);
+  count(this->doubledSides, 2, false);
   const float unbiased[2] = {1.0f, 0.0f};
   program->SetUniform2f("depthBias", unbiased);
-  if (this->outwardTriangles > 0)
-  {
-    drawTriangles(this->sideTriangles, this->outwardTriangles);
-  }
-  if (this->inwardTriangles > 0)
-  {
-    setStencilOperations(state, count, mirrored);
-    drawTriangles(this->sideTriangles + this->outwardTriangles, this->inwardTriangles);
-  }
+  count(this->caps, 1, false);
+  count(this->doubledCaps, 2, false);
+  count(this->reversedCaps, 1, true);
   glBindVertexArray(0);
 }
 

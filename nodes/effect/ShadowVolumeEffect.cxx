@@ -47,7 +47,8 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   }
   const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
   const int samples = std::min(settings.samples, this->capabilities.maximumSamples);
-  if (!this->target.allocate(window->GetState(), view.width, view.height, samples, error))
+  this->countBuffer = this->chooseCountBuffer(settings.countBuffer, samples);
+  if (!this->target.allocate(window->GetState(), view.width, view.height, samples, this->countBuffer, error))
   {
     return false;
   }
@@ -72,7 +73,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   stage = {};
   // The GL starts on the pre-pass while silhouettes are found.
   glFlush();
-  SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder);
+  SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder, mostCountableIn(this->countBuffer));
   this->accept(extruder);
   this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
   this->statistics.silhouetteMilliseconds += stage.getMilliseconds();
@@ -108,6 +109,21 @@ void ShadowVolumeEffect::face(const View& view, const std::vector<Light>& lights
   this->statistics.skipped = culler.getSkipped();
 }
 
+// Blending is the faster on a software GL, where it needs no stencil beside the depth and draws what counts
+// twice only once; a GPU is made for stencils.
+CountBuffer ShadowVolumeEffect::chooseCountBuffer(CountBuffer wanted, int samples) const
+{
+  if (samples > 1 && !this->capabilities.sampleShading)
+  {
+    return CountBuffer::Stencil;
+  }
+  if (wanted == CountBuffer::Auto)
+  {
+    return this->capabilities.software ? CountBuffer::Color : CountBuffer::Stencil;
+  }
+  return wanted;
+}
+
 void ShadowVolumeEffect::chooseDepthRange(const View& view, const SceneBounds& bounds)
 {
   this->depthRange = {};
@@ -131,6 +147,7 @@ DrawVisitor::Pass ShadowVolumeEffect::makeDrawPass(vtkOpenGLState* state, vtkSha
   pass.view = &view;
   pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
   pass.reversedDepth = this->depthRange.reversed;
+  pass.countBuffer = this->countBuffer;
   return pass;
 }
 
@@ -181,21 +198,18 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
   bool open = false;
   bool usable = true;
 
-  const auto openStencil = [&]
+  const auto openCount = [&]
   {
-    program = programs.use(ShadowPrograms::Volume, view.parallel);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDepthFunc(this->depthRange.reversed ? GL_GREATER : GL_LESS);
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    state->vtkglEnable(GL_STENCIL_TEST);
-    state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_ALWAYS, 0, 0xff);
+    program = programs.use(this->countBuffer == CountBuffer::Stencil ? ShadowPrograms::VolumeInStencil
+                                                                     : ShadowPrograms::VolumeInColor,
+                           view.parallel);
+    this->target.beginCount(state);
     open = true;
     return program;
   };
   const auto fold = [&]
   {
-    usable = this->target.foldStencil(state, programs, light.index, this->depthRange.reversed) && usable;
+    usable = this->target.foldCount(state, programs, light.index, this->depthRange.reversed) && usable;
     counted = 0;
     open = false;
   };
@@ -204,18 +218,18 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
   {
     SVStateVisitor volumeMode(RenderMode{RenderMode::What::Volume, light.index, count});
     this->accept(volumeMode);
-    if (!open && openStencil() == nullptr)
+    if (!open && openCount() == nullptr)
     {
       return false;
     }
     DrawVisitor::Pass pass = this->makeDrawPass(state, program, view);
     pass.makeRoom = [&](std::size_t bound)
     {
-      // The stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
-      if (counted + bound > mostCountable && counted > 0)
+      // A stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
+      if (counted + bound > mostCountableIn(this->countBuffer) && counted > 0)
       {
         fold();
-        openStencil();
+        openCount();
       }
       // What was drawn has to be folded, whatever its bound.
       counted += std::max<std::size_t>(bound, 1);

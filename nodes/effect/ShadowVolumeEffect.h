@@ -10,11 +10,12 @@
 #include "CasterCuller.h"
 #include "DrawVisitor.h"
 #include "DrawableCache.h"
+#include "FaceCounter.h"
 #include "Light.h"
 #include "Node.h"
 #include "SceneBoundsVisitor.h"
+#include "ShadowTarget.h"
 #include "SilhouetteFinder.h"
-#include "StencilTarget.h"
 #include "View.h"
 
 class vtkOpenGLRenderWindow;
@@ -29,7 +30,7 @@ namespace shadow
 ///
 /// 1. CasterCuller and SEDVisitor bring volumes up to date
 /// 2. pre-pass: depth of all geometry, and which lights its visible side faces
-/// 3. for each light: volumes into the stencil, the stencil into the mask
+/// 3. for each light: the faces of its volumes counted, what the count is not zero for taken out of the mask
 ///
 /// @par Source  Shi 2006, chapter 4.2; Everitt & Kilgard 2002
 class ShadowVolumeEffect : public Group
@@ -39,6 +40,7 @@ public:
   {
     StencilMethod stencilMethod = StencilMethod::Auto;
     SilhouetteMethod silhouetteMethod = SilhouetteMethod::BruteForce;
+    CountBuffer countBuffer = CountBuffer::Auto;
     int samples = 1;
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
@@ -66,7 +68,7 @@ public:
                   const Settings& settings, std::string& error);
 
   const Statistics& getStatistics() const { return this->statistics; }
-  StencilTarget& getTarget() { return this->target; }
+  ShadowTarget& getTarget() { return this->target; }
   const DepthRange& getDepthRange() const { return this->depthRange; }
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
@@ -82,10 +84,12 @@ private:
   bool drawPrePass(vtkOpenGLRenderWindow* window, const View& view);
   bool drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light);
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
+  CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const;
 
   Capabilities capabilities;
   bool capabilitiesKnown = false;
-  StencilTarget target;
+  ShadowTarget target;
+  CountBuffer countBuffer = CountBuffer::Stencil; ///< of the coming frame
   DrawableCache drawables;
   DepthRange depthRange;
   Statistics statistics;

@@ -73,7 +73,12 @@ private:
 
 void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
 {
-  volume.sides.reserve((this->farCopiesCoincide ? 1 : 2) * volume.silhouetteEdges);
+  const std::size_t trianglesAnEdge = this->farCopiesCoincide ? 1 : 2;
+  const auto doubled = static_cast<std::size_t>(std::count_if(silhouette.begin(), silhouette.end(),
+                                                              [](const SilhouetteEdge& edge)
+                                                              { return edge.multiplicity == 2; }));
+  volume.sides.reserve(trianglesAnEdge * (silhouette.size() - doubled));
+  volume.doubledSides.reserve(trianglesAnEdge * doubled);
   for (const SilhouetteEdge& edge : silhouette)
   {
     if (this->isAtLight(edge.from) || this->isAtLight(edge.to))
@@ -82,13 +87,11 @@ void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVol
     }
     const std::uint32_t from = nearCopy(edge.from);
     const std::uint32_t to = nearCopy(edge.to);
-    for (std::uint32_t copy = 0; copy < edge.multiplicity; ++copy)
+    std::vector<ShadowVolume::Triangle>& sides = edge.multiplicity == 2 ? volume.doubledSides : volume.sides;
+    sides.push_back({to, from, farCopy(edge.from)});
+    if (!this->farCopiesCoincide)
     {
-      volume.sides.push_back({to, from, farCopy(edge.from)});
-      if (!this->farCopiesCoincide)
-      {
-        volume.sides.push_back({to, farCopy(edge.from), farCopy(edge.to)});
-      }
+      sides.push_back({to, farCopy(edge.from), farCopy(edge.to)});
     }
   }
 }
@@ -157,17 +160,14 @@ void Extruder::addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowV
     return;
   }
   const std::uint32_t apex = first->from;
-  volume.darkCap.reserve(volume.silhouetteEdges);
   for (const SilhouetteEdge& edge : silhouette)
   {
     if (edge.from == apex || edge.to == apex || this->isAtLight(edge.from) || this->isAtLight(edge.to))
     {
       continue;
     }
-    for (std::uint32_t copy = 0; copy < edge.multiplicity; ++copy)
-    {
-      volume.darkCap.push_back({farCopy(apex), farCopy(edge.to), farCopy(edge.from)});
-    }
+    (edge.multiplicity == 2 ? volume.doubledDarkCap : volume.darkCap)
+        .push_back({farCopy(apex), farCopy(edge.to), farCopy(edge.from)});
   }
 }
 
@@ -202,7 +202,7 @@ ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<Si
   }
 
   volume.overlapBound = countCasting(facing, casting);
-  if (volume.overlapBound > mostCountable)
+  if (volume.overlapBound > options.countable)
   {
     volume.overlapBound = boundOverlap(geometry, silhouette, facing, casting, lightMC);
   }

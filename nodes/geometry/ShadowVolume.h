@@ -43,17 +43,29 @@ struct ShadowVolume
 
   Casting casting = Casting::EveryTriangle;
   std::vector<Triangle> sides;            ///< two a quad; one where the far copies coincide
+  std::vector<Triangle> doubledSides;     ///< those of edges with multiplicity 2: each counts twice
   std::vector<Triangle> lightCap;         ///< near copies in raster order, counter-clockwise from outside
   std::vector<Triangle> lightCapReversed; ///< near copies in raster order, clockwise from outside: a cap must
                                           ///< keep the raster order of the surface it lies on, so its stencil
                                           ///< operations are swapped instead of its vertices
   std::vector<Triangle> darkCap;          ///< far copies; empty where they coincide
+  std::vector<Triangle> doubledDarkCap;   ///< each counts twice
   std::size_t silhouetteEdges = 0;        ///< with multiplicity
   std::size_t overlapBound = 0;           ///< no ray from the light enters the volume more often than this
 
+  /// Triangles held.
   std::size_t getTriangleCount() const
   {
-    return this->sides.size() + this->lightCap.size() + this->lightCapReversed.size() + this->darkCap.size();
+    return this->sides.size() + this->doubledSides.size() + this->lightCap.size() +
+           this->lightCapReversed.size() + this->darkCap.size() + this->doubledDarkCap.size();
+  }
+
+  /// Triangles to count: those of multiplicity 2 twice.
+  std::size_t getSideCount() const { return this->sides.size() + 2 * this->doubledSides.size(); }
+  std::size_t getCapCount() const
+  {
+    return this->lightCap.size() + this->lightCapReversed.size() + this->darkCap.size() +
+           2 * this->doubledDarkCap.size();
   }
 };
 
@@ -71,7 +83,8 @@ struct ShadowVolumeOptions
 {
   bool lightCap = true;
   DarkCap darkCap = DarkCap::Triangles;
-  bool farAtInfinity = true; ///< the far copies for a directional light then coincide
+  bool farAtInfinity = true;             ///< the far copies for a directional light then coincide
+  std::size_t countable = mostCountable; ///< the most that the buffer which counts the volume can count
 };
 
 /// How each triangle faces a light. Decided once, and exactly: where rounding could change the sign, exact
@@ -99,7 +112,8 @@ Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 /// surface:
 ///        each edge is run through as often forwards as backwards, once lightCapReversed is turned and, for a
 ///        directional light at infinity, all far copies are taken as one point
-/// @post  overlapBound is the number of casting triangles, or boundOverlap() where that is above 255
+/// @post  overlapBound is the number of casting triangles, or boundOverlap() where that is more than
+/// countable
 /// @par Cost    O(silhouette), plus O(triangles) when caps are wanted
 /// @par Source  Everitt & Kilgard 2002, "Practical and Robust Stenciled Shadow Volumes"
 ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,

@@ -56,7 +56,8 @@ struct PathLightState
   CasterPlan plan;         ///< for the coming draw
   CasterPlan extrudedPlan; ///< what volumes were built for
   LightFacing facing;
-  std::vector<ShadowVolume> volumes; ///< one; more when a ray could enter it over 255 times
+  std::size_t extrudedCountable = 0; ///< see ShadowVolumeOptions::countable; what volumes were built for
+  std::vector<ShadowVolume> volumes; ///< one; more when a ray could enter it more often than can be counted
   std::uint64_t revision = 0;        ///< another value whenever volumes changed; unique over all geodes
 };
 

@@ -48,7 +48,7 @@ public:
         this->finder.find(this->geometry, part, Casting::EveryTriangle);
     ShadowVolume volume = extrudeSilhouette(this->geometry, silhouette, part, Casting::EveryTriangle,
                                             this->lightMC, this->options);
-    if (volume.overlapBound <= mostCountable || range.last - range.first <= mostCountable)
+    if (volume.overlapBound <= this->options.countable || range.last - range.first <= this->options.countable)
     {
       if (volume.getTriangleCount() > 0)
       {
@@ -79,7 +79,7 @@ std::vector<ShadowVolume> makeCountableVolumes(const SEDGeometry& geometry, cons
   const std::vector<SilhouetteEdge> silhouette = finder.find(geometry, facing, casting);
   std::vector<ShadowVolume> volumes;
   volumes.push_back(extrudeSilhouette(geometry, silhouette, facing, casting, lightMC, options));
-  if (volumes.front().overlapBound <= mostCountable)
+  if (volumes.front().overlapBound <= options.countable)
   {
     return volumes;
   }

@@ -11,9 +11,9 @@
 namespace shadow
 {
 
-/// A caster's shadow volume for one light, in as many volumes as it takes for none to be entered over 255
-/// times by one ray: nearly always one. Their counts can be looked at one after the other, as an 8-bit
-/// stencil needs.
+/// A caster's shadow volume for one light, in as many volumes as it takes for none to be entered by one ray
+/// more often than options.countable: nearly always one. Their counts can be looked at one after the other,
+/// as an 8-bit stencil needs.
 ///
 /// Where it takes more, the triangles are divided in halves, each with a silhouette of its own.
 ///

@@ -102,7 +102,7 @@ bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
 
 void LightingHook::begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, const View& view)
 {
-  StencilTarget& target = effect.getTarget();
+  ShadowTarget& target = effect.getTarget();
   this->textureTarget = target.getTextureTarget();
   this->maskUnit = state->GetTextureUnitManager()->Allocate();
   state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->maskUnit));

@@ -31,6 +31,7 @@ void vtkShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "StencilMethod: " << this->StencilMethod << "\n";
+  os << indent << "CountBuffer: " << this->CountBuffer << "\n";
   os << indent << "SilhouetteMethod: " << this->SilhouetteMethod << "\n";
   os << indent << "Compositing: " << this->Compositing << "\n";
   os << indent << "Scope: " << this->Scope << "\n";
@@ -223,7 +224,7 @@ bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
     vtkErrorMacro("there is no light " << light << " that is switched on.");
     return false;
   }
-  shadow::StencilTarget& target = current->Effect->getTarget();
+  shadow::ShadowTarget& target = current->Effect->getTarget();
   if (target.getWidth() == 0 || current->Sentinel->GetHandle() == 0)
   {
     vtkErrorMacro("the shadow mask has been released; render again.");

@@ -12,17 +12,17 @@
  *
  * @par Stages
  * 1. the scene builder mirrors the renderer's props and lights into a scene graph (only what changed);
- * 2. pre-pass: all opaque triangles into a depth-stencil target of our own (reversed depth, far plane at
- * infinity);
- * 3. for every light: caster culling, silhouette, shadow volume, stencil count; a non-zero count clears the
- * light's bit in the shadow mask;
+ * 2. pre-pass: all opaque triangles into a depth target of our own (reversed depth, far plane at infinity);
+ * 3. for every light: caster culling, silhouette, shadow volume, count of its faces in a stencil or colour
+ * buffer; a non-zero count clears the light's bit in the shadow mask;
  * 4. VTK draws its opaque pass, with the diffuse and specular part of each light multiplied by the mask.
  *
  * Translucent actors and volumes are drawn after that as vtkRenderStepsPass would; they neither cast nor
  * receive.
  *
  * @par Source
- * Shi 2006 (master's thesis, Umea University), chapter 4.2; Everitt & Kilgard 2002; Lengyel 2002.
+ * Shi 2006 (master's thesis, Umea University), chapter 4.2; Everitt & Kilgard 2002; Lengyel 2002; Roettger,
+ * Irion & Ertl 2002.
  *
  * @sa vtkShadowMapPass vtkRenderStepsPass
  */
@@ -64,6 +64,26 @@ public:
   void SetStencilMethodToAuto() { this->SetStencilMethod(STENCIL_AUTO); }
   void SetStencilMethodToZPass() { this->SetStencilMethod(STENCIL_ZPASS); }
   void SetStencilMethodToZFail() { this->SetStencilMethod(STENCIL_ZFAIL); }
+  ///@}
+
+  /// Where shadow volumes are counted.
+  enum CountBuffers
+  {
+    COUNT_AUTO = 0, ///< colour on a software GL, where that is faster, else stencil
+    COUNT_STENCIL,  ///< an 8-bit stencil buffer
+    COUNT_COLOR     ///< a 32-bit float colour buffer, with additive blending
+  };
+
+  ///@{
+  /**
+   * The buffer that shadow volumes are counted in. Both give the same picture. Samples > 1 need GL 4.0 for
+   * the colour buffer; without it the stencil is used. Default: Auto.
+   */
+  vtkSetClampMacro(CountBuffer, int, COUNT_AUTO, COUNT_COLOR);
+  vtkGetMacro(CountBuffer, int);
+  void SetCountBufferToAuto() { this->SetCountBuffer(COUNT_AUTO); }
+  void SetCountBufferToStencil() { this->SetCountBuffer(COUNT_STENCIL); }
+  void SetCountBufferToColor() { this->SetCountBuffer(COUNT_COLOR); }
   ///@}
 
   /// How silhouettes are found.
@@ -180,7 +200,8 @@ public:
 
   ///@{
   /**
-   * Statistics of the last rendering: triangles handed to the GL. For a closed mesh, a point light and
+   * Statistics of the last rendering: triangles of the scene, and those of volumes as often as they count.
+   * For a closed mesh, a point light and
    * Additive, GetTotalTriangles() is the thesis's t + (t + k) lights for z-pass and t + (2t + k) lights for
    * z-fail, with t the scene's and k the volume sides' triangles. The pre-pass that fills our own depth
    * buffer is counted apart.
@@ -259,6 +280,7 @@ private:
   void RenderShadowed(const vtkRenderState* s);
 
   int StencilMethod = STENCIL_AUTO;
+  int CountBuffer = COUNT_AUTO;
   int SilhouetteMethod = SILHOUETTE_BRUTE_FORCE;
   int Compositing = COMPOSITING_MASK;
   int Scope = SCOPE_AUTO;

@@ -76,7 +76,7 @@ void expectAllLit(HardScene& scene, int light)
       << "refused light " << light << " has a shadow";
 }
 
-/// One light, by every silhouette method and every stencil method that can be right.
+/// One light, by every method that can be right.
 void expectTrueLight(HardScene& scene, const HardCase& hardCase, int light)
 {
   const truth::SceneTruth truth = makeTruth(scene, light);
@@ -84,24 +84,15 @@ void expectTrueLight(HardScene& scene, const HardCase& hardCase, int light)
   {
     expectLightAndShadow(truth);
   }
-  for (int silhouette = vtkShadowVolumePass::SILHOUETTE_BRUTE_FORCE;
-       silhouette <= scene.pass->GetSilhouetteMethodMaxValue(); ++silhouette)
+  for (const truth::ShadowMethod& method : truth::everyMethod(scene.pass))
   {
-    scene.pass->SetSilhouetteMethod(silhouette);
-    for (const int stencil : {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL,
-                              vtkShadowVolumePass::STENCIL_AUTO})
+    if (method.stencil == vtkShadowVolumePass::STENCIL_ZPASS && !hardCase.zPassIsRight)
     {
-      if (stencil == vtkShadowVolumePass::STENCIL_ZPASS && !hardCase.zPassIsRight)
-      {
-        continue;
-      }
-      scene.pass->SetStencilMethod(stencil);
-      truth::expectTrueMask(scene, truth,
-                            "Light" + std::to_string(light) + "Silhouette" + std::to_string(silhouette) +
-                                truth::nameOfStencilMethod(stencil),
-                            light);
-      expectStatus(scene, hardCase.refusal);
+      continue;
     }
+    method.use(scene.pass);
+    truth::expectTrueMask(scene, truth, "Light" + std::to_string(light) + method.getName(), light);
+    expectStatus(scene, hardCase.refusal);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "EveryMethod.h"
 #include "ShadowScene.h"
 
 namespace shadow::truth
@@ -12,13 +13,6 @@ namespace shadow::truth
 
 /// The most wrong certain pixels per million that a mask may have.
 constexpr double wrongPerMillionLimit = 20.0;
-
-inline const char* nameOfStencilMethod(int method)
-{
-  return method == vtkShadowVolumePass::STENCIL_ZPASS   ? "ZPass"
-         : method == vtkShadowVolumePass::STENCIL_ZFAIL ? "ZFail"
-                                                        : "Auto";
-}
 
 /// Renders, and expects the mask of a light to be true. The figure is printed and recorded as a property of
 /// the test.
@@ -28,7 +22,7 @@ inline void expectTrueMask(ShadowScene& scene, const SceneTruth& truth, const st
                            int light = 0)
 {
   const MaskError error = scene.compare(truth, light);
-  std::printf("%-24s %7.2f wrong certain pixels per million (%zu of %zu)\n", what.c_str(),
+  std::printf("%-32s %7.2f wrong certain pixels per million (%zu of %zu)\n", what.c_str(),
               error.wrongCertainPerMillion, error.wrongCertain, error.pixels);
   testing::Test::RecordProperty(what + "WrongCertainPerMillion",
                                 std::to_string(error.wrongCertainPerMillion));
@@ -39,16 +33,15 @@ inline void expectTrueMask(ShadowScene& scene, const SceneTruth& truth, const st
                                                std::to_string(error.firstWrongPixels.front().y));
 }
 
-/// Expects a light's mask to be true by each of the three stencil methods.
-inline void expectTrueMaskByEveryStencilMethod(ShadowScene& scene, int light = 0)
+/// Expects a light's mask to be true by every method.
+inline void expectTrueMaskByEveryMethod(ShadowScene& scene, int light = 0)
 {
   scene.window->Render();
   const SceneTruth truth = scene.makeTruth(light);
-  for (const int method : {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL,
-                           vtkShadowVolumePass::STENCIL_AUTO})
+  for (const ShadowMethod& method : everyMethod(scene.pass))
   {
-    scene.pass->SetStencilMethod(method);
-    expectTrueMask(scene, truth, nameOfStencilMethod(method), light);
+    method.use(scene.pass);
+    expectTrueMask(scene, truth, method.getName(), light);
     EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK) << scene.pass->GetStatusMessage();
   }
 }

@@ -74,6 +74,13 @@ EdgeBalance balanceVolume(const ShadowVolume& volume, bool directional)
       add(face, 1);
     }
   }
+  for (const auto* faces : {&volume.doubledSides, &volume.doubledDarkCap})
+  {
+    for (const ShadowVolume::Triangle& face : *faces)
+    {
+      add(face, 2);
+    }
+  }
   for (const ShadowVolume::Triangle& face : volume.lightCapReversed)
   {
     add(face, -1);
@@ -151,13 +158,16 @@ int countEnclosing(const SEDGeometry& geometry, const ShadowVolume& volume, cons
   const auto cross = [&](const ShadowVolume::Triangle& face) {
     return crossSegment({place(face[0]), place(face[1]), place(face[2])}, outside, point);
   };
+  const auto crossSide = [&](const ShadowVolume::Triangle& face) {
+    return cross(face) + (directional ? cross({face[0], face[2], face[0] + 1}) : 0);
+  };
   for (const ShadowVolume::Triangle& face : volume.sides)
   {
-    count += cross(face);
-    if (directional)
-    {
-      count += cross({face[0], face[2], face[0] + 1});
-    }
+    count += crossSide(face);
+  }
+  for (const ShadowVolume::Triangle& face : volume.doubledSides)
+  {
+    count += 2 * crossSide(face);
   }
   for (const ShadowVolume::Triangle& face : volume.lightCap)
   {
@@ -170,6 +180,10 @@ int countEnclosing(const SEDGeometry& geometry, const ShadowVolume& volume, cons
   for (const ShadowVolume::Triangle& face : volume.darkCap)
   {
     count += cross(face);
+  }
+  for (const ShadowVolume::Triangle& face : volume.doubledDarkCap)
+  {
+    count += 2 * cross(face);
   }
   return count;
 }

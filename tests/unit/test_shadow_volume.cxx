@@ -96,8 +96,9 @@ TEST(ShadowVolume, WithoutCaps_NearEdgesAreTheSilhouette)
           makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
       const ShadowVolume volume = extrudeSilhouette(geometry, silhouette, facing, casting, light,
                                                     ShadowVolumeOptions{false, DarkCap::None});
-      EXPECT_TRUE(volume.lightCap.empty() && volume.lightCapReversed.empty() && volume.darkCap.empty());
-      EXPECT_EQ(volume.sides.size(), (w == 0.0 ? 1 : 2) * volume.silhouetteEdges);
+      EXPECT_TRUE(volume.lightCap.empty() && volume.lightCapReversed.empty() && volume.darkCap.empty() &&
+                  volume.doubledDarkCap.empty());
+      EXPECT_EQ(volume.getSideCount(), (w == 0.0 ? 1 : 2) * volume.silhouetteEdges);
       for (const ShadowVolume::Triangle& side : volume.sides)
       {
         if (side[1] % 2 == 0)
@@ -119,7 +120,8 @@ TEST(ShadowVolume, ClosedMesh_CapsAreTheMeshOnce)
         extrude(geometry, glm::dvec4(5, 6, 7, 1), Casting::LightFacing, DarkCap::Triangles);
     EXPECT_EQ(volume.lightCap.size() + volume.lightCapReversed.size() + volume.darkCap.size(),
               geometry.getTriangles().size());
-    EXPECT_EQ(volume.getTriangleCount(), geometry.getTriangles().size() + 2 * volume.silhouetteEdges);
+    EXPECT_EQ(volume.getSideCount() + volume.getCapCount(),
+              geometry.getTriangles().size() + 2 * volume.silhouetteEdges);
   }
 }
 
@@ -184,7 +186,7 @@ TEST(ShadowVolume, FanAndTriangles_EncloseTheSamePoints)
       const Casting casting = chooseCasting(geometry, light);
       const ShadowVolume triangles = extrude(geometry, light, casting, DarkCap::Triangles);
       const ShadowVolume fan = extrude(geometry, light, casting, DarkCap::Fan);
-      EXPECT_LE(fan.darkCap.size(), fan.silhouetteEdges);
+      EXPECT_LE(fan.darkCap.size() + 2 * fan.doubledDarkCap.size(), fan.silhouetteEdges);
       for (int sample = 0; sample < 20; ++sample)
       {
         const glm::dvec3 point = randomPoint(random, 3.0);
@@ -236,7 +238,8 @@ TEST(ShadowVolume, VertexAtTheLight_HasNoFacesWhateverTheFacingSays)
         makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, Casting::LightFacing);
     const ShadowVolume volume = extrudeSilhouette(geometry, silhouette, facing, Casting::LightFacing, light,
                                                   ShadowVolumeOptions{true, darkCap});
-    for (const auto* faces : {&volume.sides, &volume.lightCap, &volume.lightCapReversed, &volume.darkCap})
+    for (const auto* faces : {&volume.sides, &volume.doubledSides, &volume.lightCap, &volume.lightCapReversed,
+                              &volume.darkCap, &volume.doubledDarkCap})
     {
       for (const ShadowVolume::Triangle& face : *faces)
       {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "FaceCounter.h"
+
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 
@@ -12,25 +14,31 @@ namespace shadow
 
 class ShadowPrograms;
 
-/// The render target of the shadow stages: 32-bit float depth, 8-bit stencil, and the shadow mask with one
-/// bit for each of 32 lights, all with the same number of samples.
-class StencilTarget
+/// The render target of the shadow stages: 32-bit float depth, the buffer that volumes are counted in, and
+/// the shadow mask with one bit for each of 32 lights, all with the same number of samples.
+class ShadowTarget
 {
 public:
-  StencilTarget() = default;
-  StencilTarget(const StencilTarget&) = delete;
-  StencilTarget& operator=(const StencilTarget&) = delete;
+  ShadowTarget() = default;
+  ShadowTarget(const ShadowTarget&) = delete;
+  ShadowTarget& operator=(const ShadowTarget&) = delete;
 
   /// Makes the target this large; does nothing when it is.
+  /// @param buffer  not Auto
   /// @return false with a line in @p error when the GL refuses
-  bool allocate(vtkOpenGLState* state, int width, int height, int samples, std::string& error);
+  bool allocate(vtkOpenGLState* state, int width, int height, int samples, CountBuffer buffer,
+                std::string& error);
 
-  /// Binds the target, sets the viewport and clears: mask all reached, depth farthest, stencil 0.
+  /// Binds the target, sets the viewport and clears: mask all reached, depth farthest, count 0.
   void begin(vtkOpenGLState* state, bool reversedDepth);
 
-  /// Where the stencil is not zero and there is a surface, takes the light's bit out of the mask. Sets the
-  /// stencil back to zero. @return false when the shader does not compile
-  bool foldStencil(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
+  /// Makes ready for counting faces with a FaceCounter, from zero.
+  void beginCount(vtkOpenGLState* state);
+
+  /// Where the count is not zero and there is a surface, takes the light's bit out of the mask.
+  /// @pre   beginCount() called since the last fold
+  /// @return false when the shader does not compile
+  bool foldCount(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
 
   /// Copies the mask's bit of a light: width * height values, bottom row first; 255 reached, 0 shadowed,
   /// between for pixels whose samples differ.
@@ -51,9 +59,15 @@ private:
   void readResolved(vtkOpenGLRenderWindow* window, int light, std::vector<unsigned char>& mask);
   unsigned int makeTexture(unsigned int internalFormat, unsigned int format, unsigned int type) const;
 
-  unsigned int framebuffer = 0;
+  unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture) const;
+  void andOntoMask() const;
+
+  CountBuffer buffer = CountBuffer::Stencil;
+  unsigned int framebuffer = 0;      ///< mask and depth, with stencil
+  unsigned int countFramebuffer = 0; ///< count and the same depth; the same as framebuffer for Stencil
   unsigned int maskTexture = 0;
   unsigned int depthTexture = 0;
+  unsigned int countTexture = 0; ///< Color only
   unsigned int emptyVertexArray = 0;
   int width = 0;
   int height = 0;

@@ -1,0 +1,220 @@
+#include "ShadowTarget.h"
+
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+#include "ShadowPrograms.h"
+
+namespace shadow
+{
+
+unsigned int ShadowTarget::getTextureTarget() const
+{
+  return this->samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+}
+
+unsigned int ShadowTarget::makeTexture(unsigned int internalFormat, unsigned int format,
+                                       unsigned int type) const
+{
+  const GLenum target = this->getTextureTarget();
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(target, texture);
+  if (this->samples > 1)
+  {
+    glTexImage2DMultisample(target, this->samples, internalFormat, this->width, this->height, GL_TRUE);
+  }
+  else
+  {
+    glTexImage2D(target, 0, static_cast<GLint>(internalFormat), this->width, this->height, 0, format, type,
+                 nullptr);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+  }
+  glBindTexture(target, 0);
+  return texture;
+}
+
+bool ShadowTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newSamples,
+                            CountBuffer newBuffer, std::string& error)
+{
+  if (this->framebuffer != 0 && newWidth == this->width && newHeight == this->height &&
+      newSamples == this->samplesAskedFor && newBuffer == this->buffer)
+  {
+    return true;
+  }
+  this->release();
+  this->width = newWidth;
+  this->height = newHeight;
+  this->samples = this->samplesAskedFor = newSamples;
+  this->buffer = newBuffer;
+  const bool stencil = newBuffer == CountBuffer::Stencil;
+  this->maskTexture = this->makeTexture(GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  this->depthTexture =
+      stencil ? this->makeTexture(GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV)
+              : this->makeTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+  this->countTexture = stencil ? 0 : this->makeTexture(GL_R32F, GL_RED, GL_FLOAT);
+  if (newSamples > 1)
+  {
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, this->maskTexture);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &this->samples);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+  }
+  glGenVertexArrays(1, &this->emptyVertexArray);
+  this->framebuffer = this->makeFramebuffer(state, this->maskTexture);
+  this->countFramebuffer = stencil ? this->framebuffer : this->makeFramebuffer(state, this->countTexture);
+  if (this->framebuffer == 0 || this->countFramebuffer == 0)
+  {
+    this->release();
+    error = "the GL refuses a shadow target of " + std::to_string(newWidth) + " x " +
+            std::to_string(newHeight) + " pixels with " + std::to_string(newSamples) + " samples";
+    return false;
+  }
+  return true;
+}
+
+// 0 when the GL refuses.
+unsigned int ShadowTarget::makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture) const
+{
+  const GLenum depthAttachment =
+      this->buffer == CountBuffer::Stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
+  GLuint made = 0;
+  glGenFramebuffers(1, &made);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, made);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->getTextureTarget(), colorTexture, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, depthAttachment, this->getTextureTarget(), this->depthTexture, 0);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  {
+    glDeleteFramebuffers(1, &made);
+    made = 0;
+  }
+  return made;
+}
+
+void ShadowTarget::begin(vtkOpenGLState* state, bool reversedDepth)
+{
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
+  const GLenum drawBuffer = GL_COLOR_ATTACHMENT0;
+  glDrawBuffers(1, &drawBuffer);
+  state->vtkglViewport(0, 0, this->width, this->height);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglStencilMaskSeparate(GL_FRONT_AND_BACK, 0xff);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  const GLuint reached[4] = {0xffffffffu, 0, 0, 0};
+  glClearBufferuiv(GL_COLOR, 0, reached);
+  const float farthest = reversedDepth ? 0.0f : 1.0f;
+  if (this->buffer == CountBuffer::Stencil)
+  {
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, farthest, 0);
+  }
+  else
+  {
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+  }
+}
+
+void ShadowTarget::beginCount(vtkOpenGLState* state)
+{
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  if (this->buffer == CountBuffer::Stencil)
+  {
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    state->vtkglEnable(GL_STENCIL_TEST);
+    state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_ALWAYS, 0, 0xff);
+    return;
+  }
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->countFramebuffer);
+  const GLenum drawBuffer = GL_COLOR_ATTACHMENT0;
+  glDrawBuffers(1, &drawBuffer);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const float nothing[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+}
+
+bool ShadowTarget::foldCount(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth)
+{
+  const bool stencil = this->buffer == CountBuffer::Stencil;
+  const ShadowPrograms::Stage stage =
+      stencil ? ShadowPrograms::MaskFromStencil
+              : (this->samples > 1 ? ShadowPrograms::MaskFromSamples : ShadowPrograms::MaskFromColor);
+  vtkShaderProgram* program = programs.use(stage, false);
+  if (program == nullptr)
+  {
+    return false;
+  }
+  program->SetUniformi("lightBit", light);
+  // Drawn at the farthest depth, and seen where a surface is in front of it.
+  program->SetUniformf("farDepth", reversedDepth ? 0.0f : 1.0f);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(reversedDepth ? GL_LESS : GL_GREATER);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (stencil)
+  {
+    state->vtkglEnable(GL_STENCIL_TEST);
+    state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_NOTEQUAL, 0, 0xff);
+    state->vtkglStencilOpSeparate(GL_FRONT_AND_BACK, GL_ZERO, GL_ZERO, GL_ZERO);
+    this->andOntoMask();
+    return true;
+  }
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
+  state->vtkglActiveTexture(GL_TEXTURE0);
+  GLint before = 0;
+  glGetIntegerv(this->samples > 1 ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &before);
+  glBindTexture(this->getTextureTarget(), this->countTexture);
+  program->SetUniformi("counts", 0);
+  this->andOntoMask();
+  glBindTexture(this->getTextureTarget(), static_cast<GLuint>(before));
+  return true;
+}
+
+// Draws the whole target with the current program; what that gives is combined with the mask by logical AND.
+void ShadowTarget::andOntoMask() const
+{
+  glEnable(GL_COLOR_LOGIC_OP);
+  glLogicOp(GL_AND);
+  glBindVertexArray(this->emptyVertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glDisable(GL_COLOR_LOGIC_OP);
+}
+
+void ShadowTarget::release(bool contextLost)
+{
+  if (!contextLost && this->maskTexture != 0)
+  {
+    glDeleteFramebuffers(1, &this->framebuffer);
+    if (this->countFramebuffer != this->framebuffer)
+    {
+      glDeleteFramebuffers(1, &this->countFramebuffer);
+    }
+    glDeleteTextures(1, &this->maskTexture);
+    glDeleteTextures(1, &this->depthTexture);
+    glDeleteTextures(1, &this->countTexture);
+    glDeleteVertexArrays(1, &this->emptyVertexArray);
+  }
+  this->framebuffer = this->countFramebuffer = this->emptyVertexArray = 0;
+  this->maskTexture = this->depthTexture = this->countTexture = 0;
+  this->width = this->height = this->samples = this->samplesAskedFor = 0;
+}
+
+std::size_t ShadowTarget::getMemorySize() const
+{
+  // 4 bytes mask; 8 bytes depth and stencil, or 4 bytes depth and 4 bytes count
+  return std::size_t{12} * static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height) *
+         static_cast<std::size_t>(this->samples);
+}
+
+} // namespace shadow
