@@ -34,7 +34,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel)
     const char* fragment;
     const char* switches;
   };
-  static const std::array<Sources, 7> stages = {
+  static const std::array<Sources, 8> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -43,7 +43,8 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel)
       Sources{shaders::screen_vert, shaders::mask_frag,
               "#extension GL_ARB_sample_shading : require\n"
               "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTISAMPLE\n"},
-      Sources{shaders::screen_vert, shaders::resolve_frag, ""}};
+      Sources{shaders::screen_vert, shaders::resolve_frag, ""},
+      Sources{shaders::facing_vert, shaders::facing_frag, ""}};
   const Sources& sources = stages[stage];
   const std::string switches = sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "");
   const std::string vertex = withSwitches(sources.vertex, switches);

@@ -22,7 +22,8 @@ public:
     MaskFromStencil,
     MaskFromColor,
     MaskFromSamples, ///< the same with several samples a pixel
-    Resolve
+    Resolve,
+    Facing ///< parallel does not matter
   };
 
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}

@@ -121,26 +121,6 @@ bool touches(const SEDGeometry& geometry, const std::array<std::uint32_t, 3>& tr
                      { return geometry.getPositions()[vertex] == lightMC; });
 }
 
-/// A corner at the light has no direction to be extruded in, so its triangles must not cast: they count as
-/// having the light in their plane, which exactly they do, but for the light's rounding to single precision.
-void clearTouching(const SEDGeometry& geometry, const glm::vec3& lightMC, LightFacing& facing)
-{
-  const std::vector<glm::vec3>& positions = geometry.getPositions();
-  if (std::find(positions.begin(), positions.end(), lightMC) == positions.end())
-  {
-    return;
-  }
-  for (std::size_t triangle = 0; triangle < geometry.getTriangles().size(); ++triangle)
-  {
-    if (touches(geometry, geometry.getTriangles()[triangle], lightMC))
-    {
-      const std::uint64_t others = ~(std::uint64_t{1} << (triangle & 63));
-      facing.towards.data()[triangle >> 6] &= others;
-      facing.away.data()[triangle >> 6] &= others;
-    }
-  }
-}
-
 } // namespace
 
 LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC)
@@ -163,11 +143,31 @@ LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC
       (sign > 0 ? facing.towards : facing.away).set(triangle);
     }
   }
-  if (lightMC.w != 0.0 && isInsideBox(geometry, glm::dvec3(lightMC)))
-  {
-    clearTouching(geometry, glm::vec3(lightMC), facing);
-  }
+  clearTouching(geometry, lightMC, facing);
   return facing;
+}
+
+void clearTouching(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing)
+{
+  if (lightMC.w == 0.0 || !isInsideBox(geometry, glm::dvec3(lightMC)))
+  {
+    return;
+  }
+  const glm::vec3 light(lightMC);
+  const std::vector<glm::vec3>& positions = geometry.getPositions();
+  if (std::find(positions.begin(), positions.end(), light) == positions.end())
+  {
+    return;
+  }
+  for (std::size_t triangle = 0; triangle < geometry.getTriangles().size(); ++triangle)
+  {
+    if (touches(geometry, geometry.getTriangles()[triangle], light))
+    {
+      const std::uint64_t others = ~(std::uint64_t{1} << (triangle & 63));
+      facing.towards.data()[triangle >> 6] &= others;
+      facing.away.data()[triangle >> 6] &= others;
+    }
+  }
 }
 
 Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC)

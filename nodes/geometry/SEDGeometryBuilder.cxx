@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "EdgeConnector.h"
+#include "GridOrigin.h"
 #include "ManifoldSplitter.h"
 #include "OutwardOrientation.h"
 #include "VertexWelder.h"
@@ -21,17 +22,6 @@ constexpr std::size_t mostTriangles = 0x7fffffff / 6;
 bool isFinite(const glm::dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-/// The point nearest to the mesh's centre of a grid whose cells are as large as the mesh is wide. Grid points
-/// have so few digits that taking one away from a coordinate rounds nothing, and a mesh around 0 stays where
-/// it is: coordinates in single precision, as VTK's mostly are, keep every bit, and a light in a triangle's
-/// plane stays in it.
-glm::dvec3 onGrid(const glm::dvec3& centre, const glm::dvec3& size)
-{
-  const double widest = std::max({size.x, size.y, size.z});
-  const double cell = std::exp2(std::ceil(std::log2(widest)));
-  return widest > 0.0 && std::isfinite(cell) ? glm::round(centre / cell) * cell : centre;
 }
 
 template <typename T>
@@ -111,7 +101,7 @@ bool SEDGeometryBuilder::chooseOrigin(const TriangleSoup& soup, std::string& err
     }
   }
   // Halved before they are added: the sum of two large coordinates may overflow.
-  this->geometry.origin = onGrid(0.5 * lower + 0.5 * upper, upper - lower);
+  this->geometry.origin = nearestGridPoint(0.5 * lower + 0.5 * upper, upper - lower);
   const glm::dvec3 reach = glm::max(upper - this->geometry.origin, this->geometry.origin - lower);
   if (!isFinite(glm::dvec3(glm::vec3(reach))))
   {

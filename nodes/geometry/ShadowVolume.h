@@ -100,6 +100,16 @@ struct ShadowVolumeOptions
 /// @par Source     Shi 2006, chapter 3.1; Shewchuk 1997, see ExactOrientation.h
 LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 
+/// Clears both bits of every triangle with a corner that single precision cannot tell from a point light.
+///
+/// Such a corner has no direction to be extruded in, so its triangles must not cast: they count as having the
+/// light in their plane, which exactly they do, but for the light's rounding. Part of computeFacing(); to be
+/// called on facing that was computed in another way.
+///
+/// @param lightMC  as in computeFacing()
+/// @par Cost       none when the light is outside the bounding box, else O(vertices)
+void clearTouching(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing);
+
 /// Casting::LightFacing when that is enough for this mesh and light: the mesh is closed and the light is
 /// outside its bounding box, as every directional light is. Inside the box the light may be inside the mesh,
 /// and Casting::EveryTriangle is right everywhere.
