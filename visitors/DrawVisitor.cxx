@@ -1,10 +1,5 @@
 #include "DrawVisitor.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "OpenGL.h"
-
 namespace shadow
 {
 
@@ -41,21 +36,11 @@ bool DrawVisitor::setMatrices(const glm::dmat4& wcFromMC)
 void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
 {
   const bool mirrored = this->setMatrices(worldFromRelative(geode.getGeometry(), this->getModelToWorld()));
-  glFrontFace(mirrored ? GL_CW : GL_CCW);
   SEDGeometryDrawable& drawable = this->pass.drawables->getGeometry(geode.getSharedGeometry());
   const ReachableBitsBuffer& reachableBits =
       this->pass.drawables->getReachableBits(path, drawable.getVertexCount());
-  if (this->getFaceCulling() != FaceCulling::None)
-  {
-    // VTK calls back what is clockwise on the screen, mirrored or not.
-    const bool front = (this->getFaceCulling() == FaceCulling::Front) != mirrored;
-    drawable.drawCulled(this->pass.state, this->pass.program, reachableBits, front ? GL_FRONT : GL_BACK);
-  }
-  else
-  {
-    drawable.draw(this->pass.program, reachableBits);
-  }
-  glFrontFace(GL_CCW);
+  drawable.drawPrePass(this->pass.state, this->pass.program, &reachableBits, this->getFaceCulling(),
+                       mirrored);
   this->counts.geometry += geode.getGeometry().getTriangles().size();
 }
 
@@ -64,10 +49,7 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
   const glm::dmat4 wcFromMC = worldFromRelative(geode.getGeometry(), this->getModelToWorld());
   const bool mirrored = this->setMatrices(wcFromMC);
   setUniform(this->pass.program, "lightMC", light.lightMC);
-  // A plane goes the other way: as a row vector from the left.
-  glm::dvec4 farPlaneMC = light.plan.farPlaneWC * wcFromMC;
-  farPlaneMC /= std::max(glm::length(glm::dvec3(farPlaneMC)), std::abs(farPlaneMC.w));
-  setUniform(this->pass.program, "farPlaneMC", farPlaneMC);
+  setUniform(this->pass.program, "farPlaneMC", farPlaneToModel(light.plan.farPlaneWC, wcFromMC));
   SEDGeometryDrawable& geometry = this->pass.drawables->getGeometry(geode.getSharedGeometry());
   for (std::size_t part = 0; part < light.volumes.size(); ++part)
   {

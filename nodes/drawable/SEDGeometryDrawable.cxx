@@ -159,14 +159,14 @@ unsigned int SEDGeometryDrawable::getVolumeVertexBuffer()
   return this->volumeVertexBuffer;
 }
 
-void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits)
+void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits)
 {
   glBindVertexArray(this->vertexArray);
   bindFloats(program, "vertexMC", this->vertexBuffer, 3);
   const GLint bits = glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "reachableBits");
-  if (bits >= 0)
+  if (bits >= 0 && reachableBits != nullptr)
   {
-    glBindBuffer(GL_ARRAY_BUFFER, reachableBits.getBuffer());
+    glBindBuffer(GL_ARRAY_BUFFER, reachableBits->getBuffer());
     glEnableVertexAttribArray(static_cast<GLuint>(bits));
     // Vertices after the triangles' own provoke nothing: what they read does not matter.
     glVertexAttribIPointer(static_cast<GLuint>(bits), 2, GL_UNSIGNED_INT, sizeof(glm::uvec2), nullptr);
@@ -174,7 +174,7 @@ void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuf
   }
 }
 
-void SEDGeometryDrawable::draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits)
+void SEDGeometryDrawable::draw(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits)
 {
   this->bind(program, reachableBits);
   drawTriangles(0, this->triangles);
@@ -194,10 +194,29 @@ void SEDGeometryDrawable::sortByWinding()
       uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer, mesh.triangles, GL_STATIC_DRAW);
 }
 
-void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, vtkShaderProgram* program,
-                                     const ReachableBitsBuffer& reachableBits, unsigned int hiddenSide)
+void SEDGeometryDrawable::drawPrePass(vtkOpenGLState* state, vtkShaderProgram* program,
+                                      const ReachableBitsBuffer* reachableBits, FaceCulling culling,
+                                      bool mirrored)
 {
   this->bind(program, reachableBits);
+  glFrontFace(mirrored ? GL_CW : GL_CCW);
+  if (culling == FaceCulling::None)
+  {
+    drawTriangles(0, this->triangles);
+  }
+  else
+  {
+    // VTK calls back what is clockwise on the screen, mirrored or not.
+    const bool front = (culling == FaceCulling::Front) != mirrored;
+    this->drawCulled(state, front ? GL_FRONT : GL_BACK);
+  }
+  glFrontFace(GL_CCW);
+  glBindVertexArray(0);
+}
+
+// @param hiddenSide  GL_FRONT or GL_BACK, by the input's winding
+void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, unsigned int hiddenSide)
+{
   if (this->sortedIndexBuffer == 0)
   {
     this->sortByWinding();
@@ -210,7 +229,6 @@ void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, vtkShaderProgram* pr
   drawTriangles(this->unreversedTriangles, this->triangles - this->unreversedTriangles);
   state->vtkglDisable(GL_CULL_FACE);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
-  glBindVertexArray(0);
 }
 
 void SEDGeometryDrawable::release(bool contextLost)

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "Node.h"
 #include "SEDGeometry.h"
 
 class vtkOpenGLState;
@@ -55,13 +56,15 @@ public:
   /// Near and far copies for ShadowVolumeDrawable; made when first asked for.
   unsigned int getVolumeVertexBuffer();
 
-  /// Draws all triangles with the current pre-pass program. @pre the last vertex provokes
-  void draw(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits);
+  /// Draws all triangles in raster order with the current program. @pre the last vertex provokes
+  /// @param reachableBits  for a program that reads them; may be nullptr
+  void draw(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits);
 
-  /// The same without one side of each triangle. @param hiddenSide  GL_FRONT or GL_BACK, by the input's
-  /// winding
-  void drawCulled(vtkOpenGLState* state, vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits,
-                  unsigned int hiddenSide);
+  /// The same as VTK draws the surface: without the side it hides, gl_FrontFacing true for the side from
+  /// which model space sees triangles counter-clockwise.
+  /// @param mirrored  a face wound counter-clockwise in model space is clockwise on the screen
+  void drawPrePass(vtkOpenGLState* state, vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits,
+                   FaceCulling culling, bool mirrored);
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost);
@@ -72,7 +75,8 @@ public:
   std::size_t getMemorySize() const { return this->bytes; }
 
 private:
-  void bind(vtkShaderProgram* program, const ReachableBitsBuffer& reachableBits);
+  void bind(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits);
+  void drawCulled(vtkOpenGLState* state, unsigned int hiddenSide);
   void sortByWinding();
 
   const SEDGeometry& geometry;

@@ -26,7 +26,7 @@ std::string withSwitches(const char* source, const std::string& switches)
 
 } // namespace
 
-vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel)
+vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::string& switches)
 {
   struct Sources
   {
@@ -34,7 +34,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel)
     const char* fragment;
     const char* switches;
   };
-  static const std::array<Sources, 8> stages = {
+  static const std::array<Sources, 11> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -44,12 +44,26 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel)
               "#extension GL_ARB_sample_shading : require\n"
               "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTISAMPLE\n"},
       Sources{shaders::screen_vert, shaders::resolve_frag, ""},
-      Sources{shaders::facing_vert, shaders::facing_frag, ""}};
+      Sources{shaders::facing_vert, shaders::facing_frag, ""},
+      Sources{shaders::surface_vert, shaders::prepass_frag, ""},
+      Sources{shaders::surface_vert, shaders::volume_frag,
+              "#define SHADOW_CAP\n#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"},
+      Sources{shaders::sides_vert, shaders::volume_frag,
+              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"}};
   const Sources& sources = stages[stage];
-  const std::string switches = sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "");
-  const std::string vertex = withSwitches(sources.vertex, switches);
-  const std::string fragment = withSwitches(sources.fragment, switches);
+  const std::string all =
+      sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "") + switches;
+  const std::string vertex = withSwitches(sources.vertex, all);
+  const std::string fragment = withSwitches(sources.fragment, all);
   return this->window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+}
+
+void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides)
+{
+  // Relative to the distance, and so the same number of units everywhere: two in the last place.
+  const float rounding = asSides ? 1.2e-7f : 0.0f;
+  const float bias[2] = {1.0f - rounding, reversedDepth ? 0.0f : rounding};
+  program->SetUniform2f("depthBias", bias);
 }
 
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)

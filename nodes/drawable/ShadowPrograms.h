@@ -23,17 +23,28 @@ public:
     MaskFromColor,
     MaskFromSamples, ///< the same with several samples a pixel
     Resolve,
-    Facing ///< parallel does not matter
+    Facing, ///< parallel does not matter
+    // Where the facing is known to the GPU only, see shaders/facingSource.glsl:
+    SurfacePrePass,
+    SurfaceCap,
+    Sides
   };
 
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}
 
-  /// Makes the stage's program current. @return nullptr when it does not compile; VTK has then reported why
-  vtkShaderProgram* use(Stage stage, bool parallel);
+  /// Makes the stage's program current.
+  /// @param switches  lines of the preprocessor to put before it
+  /// @return nullptr when it does not compile; VTK has then reported why
+  vtkShaderProgram* use(Stage stage, bool parallel, const std::string& switches = "");
 
 private:
   vtkOpenGLRenderWindow* window;
 };
+
+/// Has a program draw at the depth that positions have, or, as sides of volumes, a few units of rounding
+/// farther: where a side starts at the edge of a lit surface it would else be a matter of rounding whether it
+/// is in front of that surface. @pre the program is current
+void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides);
 
 /// Hands a double matrix to the program as float, column-major.
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);

@@ -3,6 +3,7 @@
 #include <vtkShaderProgram.h>
 
 #include "OpenGL.h"
+#include "ShadowPrograms.h"
 #include "VertexLayout.h"
 
 namespace shadow
@@ -53,14 +54,10 @@ void ShadowVolumeDrawable::draw(const FaceCounter& counter, unsigned int vertexB
     }
     first += triangles;
   };
-  // Relative to the distance, and so the same number of units everywhere.
-  constexpr float rounding = 1.2e-7f; // two units in the last place
-  const float bias[2] = {1.0f - rounding, counter.isDepthReversed() ? 0.0f : rounding};
-  program->SetUniform2f("depthBias", bias);
+  setDepthBias(program, counter.isDepthReversed(), true);
   count(this->sides, 1, false);
   count(this->doubledSides, 2, false);
-  const float unbiased[2] = {1.0f, 0.0f};
-  program->SetUniform2f("depthBias", unbiased);
+  setDepthBias(program, counter.isDepthReversed(), false);
   count(this->caps, 1, false);
   count(this->doubledCaps, 2, false);
   count(this->reversedCaps, 1, true);

@@ -21,10 +21,6 @@ public:
   void upload(const ShadowVolume& volume);
 
   /// Counts the volume's faces.
-  ///
-  /// Sides are drawn a few units of rounding farther: where one starts at the edge of a lit surface it would
-  /// else be a matter of rounding whether it is in front of that surface.
-  ///
   /// @pre   the program's uniforms are set
   void draw(const FaceCounter& counter, unsigned int vertexBuffer);
 

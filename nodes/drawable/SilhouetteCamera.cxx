@@ -8,6 +8,7 @@
 #include <vtkShaderProgram.h>
 
 #include "GLStateScope.h"
+#include "LightUniforms.h"
 #include "OpenGL.h"
 #include "SEDGeode.h"
 #include "ShadowPrograms.h"
@@ -19,33 +20,6 @@ namespace shadow
 
 namespace
 {
-
-void setLights(vtkShaderProgram* program, const std::vector<Light>& lights, const SceneFrame& frame)
-{
-  float positions[maximumLights][4] = {};
-  float lows[maximumLights][3] = {};
-  int bits[maximumLights] = {};
-  int count = 0;
-  for (const Light& light : lights)
-  {
-    const std::optional<SceneLight> scene = lightToScene(light, frame);
-    if (scene && count < maximumLights)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        positions[count][axis] = scene->position.high[axis];
-        lows[count][axis] = scene->position.low[axis];
-      }
-      positions[count][3] = scene->w;
-      bits[count] = light.index;
-      ++count;
-    }
-  }
-  program->SetUniformi("lightCount", count);
-  program->SetUniform4fv("lightPosition", maximumLights, positions);
-  program->SetUniform3fv("lightLow", maximumLights, lows);
-  program->SetUniform1iv("lightBit", maximumLights, bits);
-}
 
 /// One point, one texel, nothing but colour.
 void setState(vtkOpenGLState* state)
@@ -111,7 +85,7 @@ bool SilhouetteCamera::drawLayers(vtkOpenGLRenderWindow* window, TriangleDrawabl
     error = "the shader of the silhouette camera does not compile";
     return false;
   }
-  setLights(program, lights, triangles.getFrame());
+  setLightUniforms(program, lights, triangles.getFrame());
   const int layerSize[2] = {this->texels.getWidth(), this->texels.getHeight()};
   program->SetUniform2i("layerSize", layerSize);
   vtkOpenGLState* state = window->GetState();

@@ -20,6 +20,8 @@ namespace shadow
 namespace
 {
 
+constexpr const char* noShader = "a shader of the shadow stages does not compile on this GL";
+
 void finishStage(bool wait)
 {
   if (wait)
@@ -52,61 +54,80 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   {
     return false;
   }
-
+  bool drawn = true;
   if (lights.empty())
   {
     this->target.begin(window->GetState(), this->capabilities.clipControl);
-    this->drawables.sweep();
-    return true;
   }
+  else
+  {
+    drawn = this->drawStages({window, view, lights, settings}, error);
+  }
+  this->drawables.sweep();
+  return drawn;
+}
 
+bool ShadowVolumeEffect::drawStages(const Frame& frame, std::string& error)
+{
   Stopwatch stage;
-  const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
-  this->face(view, lights, settings, *finder);
+  this->cull(frame);
+  bool drawn = this->findFacing(frame, error);
   this->statistics.silhouetteMilliseconds = stage.getMilliseconds();
 
   stage = {};
-  bool drawn = this->drawPrePass(window, view);
-  finishStage(settings.waitAfterStages);
+  drawn = drawn && this->drawPrePass(frame, error);
+  finishStage(frame.settings.waitAfterStages);
   this->statistics.prePassMilliseconds = stage.getMilliseconds();
 
   stage = {};
   // The GL starts on the pre-pass while silhouettes are found.
   glFlush();
-  SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder, mostCountableIn(this->countBuffer));
-  this->accept(extruder);
-  this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
+  drawn = drawn && this->findSilhouettes(frame, error);
   this->statistics.silhouetteMilliseconds += stage.getMilliseconds();
 
   stage = {};
-  for (const Light& light : lights)
+  for (const Light& light : frame.lights)
   {
-    drawn = drawn && this->drawVolumes(window, view, light);
+    drawn = drawn && this->drawVolumes(frame, light, error);
   }
-  finishStage(settings.waitAfterStages);
+  finishStage(frame.settings.waitAfterStages);
   this->statistics.stencilMilliseconds = stage.getMilliseconds();
-  this->drawables.sweep();
-  if (!drawn)
-  {
-    error = "a shader of the shadow stages does not compile on this GL";
-  }
   return drawn;
 }
 
-void ShadowVolumeEffect::face(const View& view, const std::vector<Light>& lights, const Settings& settings,
-                              const SilhouetteFinder& finder)
+void ShadowVolumeEffect::cull(const Frame& frame)
 {
-  SceneBoundsVisitor boundsVisitor(view);
+  SceneBoundsVisitor boundsVisitor(frame.view);
   this->accept(boundsVisitor);
   const SceneBounds& bounds = boundsVisitor.getBounds();
-  this->chooseDepthRange(view, bounds);
-  CasterCuller culler(view, lights, bounds, settings.stencilMethod);
+  this->chooseDepthRange(frame.view, bounds);
+  CasterCuller culler(frame.view, frame.lights, bounds, frame.settings.stencilMethod);
   this->accept(culler);
-  SEDVisitor facer(SEDVisitor::Stage::Face, lights, finder);
-  this->accept(facer);
   this->statistics.casters = culler.getCasters();
   this->statistics.zFailCasters = culler.getZFailCasters();
   this->statistics.skipped = culler.getSkipped();
+}
+
+bool ShadowVolumeEffect::findFacing(const Frame& frame, std::string& /*error*/)
+{
+  this->finder = makeSilhouetteFinder(frame.settings.silhouetteMethod);
+  SEDVisitor facer(SEDVisitor::Stage::Face, frame.lights, *this->finder);
+  this->accept(facer);
+  return true;
+}
+
+bool ShadowVolumeEffect::findSilhouettes(const Frame& frame, std::string& /*error*/)
+{
+  this->extrude(frame, *this->finder);
+  return true;
+}
+
+void ShadowVolumeEffect::extrude(const Frame& frame, const SilhouetteFinder& silhouetteFinder)
+{
+  SEDVisitor extruder(SEDVisitor::Stage::Extrude, frame.lights, silhouetteFinder,
+                      mostCountableIn(this->countBuffer));
+  this->accept(extruder);
+  this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
 }
 
 // Blending is the faster on a software GL, where it needs no stencil beside the depth and draws what counts
@@ -137,23 +158,22 @@ void ShadowVolumeEffect::chooseDepthRange(const View& view, const SceneBounds& b
   }
 }
 
-DrawVisitor::Pass ShadowVolumeEffect::makeDrawPass(vtkOpenGLState* state, vtkShaderProgram* program,
-                                                   const View& view)
+DrawVisitor::Pass ShadowVolumeEffect::makeDrawPass(vtkShaderProgram* program, const Frame& frame)
 {
   DrawVisitor::Pass pass;
-  pass.state = state;
+  pass.state = frame.window->GetState();
   pass.program = program;
   pass.drawables = &this->drawables;
-  pass.view = &view;
-  pass.clipFromWC = shadowClipFromWC(view, this->depthRange);
+  pass.view = &frame.view;
+  pass.clipFromWC = this->getClipFromWC(frame.view);
   pass.reversedDepth = this->depthRange.reversed;
   pass.countBuffer = this->countBuffer;
   return pass;
 }
 
-bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& view)
+bool ShadowVolumeEffect::drawPrePass(const Frame& frame, std::string& error)
 {
-  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState* state = frame.window->GetState();
   if (this->depthRange.reversed)
   {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -164,7 +184,7 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
   state->vtkglDisable(GL_STENCIL_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
-  if (view.parallel)
+  if (frame.view.parallel)
   {
     glEnable(GL_DEPTH_CLAMP);
   }
@@ -172,27 +192,30 @@ bool ShadowVolumeEffect::drawPrePass(vtkOpenGLRenderWindow* window, const View& 
   {
     glDisable(GL_DEPTH_CLAMP);
   }
-
-  ShadowPrograms programs(window);
-  vtkShaderProgram* program = programs.use(ShadowPrograms::PrePass, view.parallel);
-  if (program == nullptr)
-  {
-    return false;
-  }
-  const float unbiased[2] = {1.0f, 0.0f};
-  program->SetUniform2f("depthBias", unbiased);
   SVStateVisitor geometryMode(RenderMode{RenderMode::What::Geometry});
   this->accept(geometryMode);
-  DrawVisitor draw(this->makeDrawPass(state, program, view));
+  return this->drawSurfaces(frame, error);
+}
+
+bool ShadowVolumeEffect::drawSurfaces(const Frame& frame, std::string& error)
+{
+  vtkShaderProgram* program = ShadowPrograms(frame.window).use(ShadowPrograms::PrePass, frame.view.parallel);
+  if (program == nullptr)
+  {
+    error = noShader;
+    return false;
+  }
+  setDepthBias(program, this->depthRange.reversed, false);
+  DrawVisitor draw(this->makeDrawPass(program, frame));
   this->accept(draw);
   this->statistics.prePassTriangles = draw.getCounts().geometry;
   return true;
 }
 
-bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light)
+bool ShadowVolumeEffect::drawVolumes(const Frame& frame, const Light& light, std::string& error)
 {
-  vtkOpenGLState* state = window->GetState();
-  ShadowPrograms programs(window);
+  vtkOpenGLState* state = frame.window->GetState();
+  ShadowPrograms programs(frame.window);
   vtkShaderProgram* program = nullptr;
   std::size_t counted = 0;
   bool open = false;
@@ -202,10 +225,10 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
   {
     program = programs.use(this->countBuffer == CountBuffer::Stencil ? ShadowPrograms::VolumeInStencil
                                                                      : ShadowPrograms::VolumeInColor,
-                           view.parallel);
+                           frame.view.parallel);
+    usable = usable && program != nullptr;
     this->target.beginCount(state);
     open = true;
-    return program;
   };
   const auto fold = [&]
   {
@@ -218,11 +241,15 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
   {
     SVStateVisitor volumeMode(RenderMode{RenderMode::What::Volume, light.index, count});
     this->accept(volumeMode);
-    if (!open && openCount() == nullptr)
+    if (!open)
     {
-      return false;
+      openCount();
     }
-    DrawVisitor::Pass pass = this->makeDrawPass(state, program, view);
+    if (!usable)
+    {
+      break;
+    }
+    DrawVisitor::Pass pass = this->makeDrawPass(program, frame);
     pass.makeRoom = [&](std::size_t bound)
     {
       // A stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
@@ -240,10 +267,11 @@ bool ShadowVolumeEffect::drawVolumes(vtkOpenGLRenderWindow* window, const View& 
     this->statistics.capTriangles += draw.getCounts().caps;
     this->statistics.silhouetteEdges += draw.getCounts().silhouetteEdges;
   }
-  if (counted > 0)
+  if (usable && counted > 0)
   {
     fold();
   }
+  error = usable ? error : noShader;
   return usable;
 }
 

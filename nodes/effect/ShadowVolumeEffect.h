@@ -58,6 +58,7 @@ public:
     double silhouetteMilliseconds = 0.0;
     double prePassMilliseconds = 0.0;
     double stencilMilliseconds = 0.0;
+    double readBackMilliseconds = 0.0; ///< of silhouetteMilliseconds: copying from the GPU and waiting for it
   };
 
   /// Renders the shadow mask.
@@ -72,22 +73,56 @@ public:
   const DepthRange& getDepthRange() const { return this->depthRange; }
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
-  void release(bool contextLost);
+  virtual void release(bool contextLost);
 
   /// Bytes on the GPU.
-  std::size_t getGraphicsMemorySize() const;
+  virtual std::size_t getGraphicsMemorySize() const;
+
+protected:
+  /// What one mask is rendered for.
+  struct Frame
+  {
+    vtkOpenGLRenderWindow* window;
+    const View& view;
+    const std::vector<Light>& lights;
+    const Settings& settings;
+  };
+
+  /// Which lights the triangles face; before the pre-pass. @return false with a line in @p error when it
+  /// cannot be done
+  virtual bool findFacing(const Frame& frame, std::string& error);
+
+  /// Draws all surfaces. @pre GL is set up for the pre-pass. @return as findFacing()
+  virtual bool drawSurfaces(const Frame& frame, std::string& error);
+
+  /// Volumes of all casters, while the GL works on the pre-pass. @return as findFacing()
+  virtual bool findSilhouettes(const Frame& frame, std::string& error);
+
+  /// Counts the volumes for one light and takes what they cover out of the mask. @return as findFacing()
+  virtual bool drawVolumes(const Frame& frame, const Light& light, std::string& error);
+
+  virtual CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const;
+
+  /// Volumes from the facing that every SEDGeode has.
+  void extrude(const Frame& frame, const SilhouetteFinder& silhouetteFinder);
+
+  /// The view's clip matrix with this frame's depth range.
+  glm::dmat4 getClipFromWC(const View& view) const { return shadowClipFromWC(view, this->depthRange); }
+
+  const Capabilities& getCapabilities() const { return this->capabilities; }
+  DrawableCache& getDrawables() { return this->drawables; }
+  Statistics& changeStatistics() { return this->statistics; }
 
 private:
-  void face(const View& view, const std::vector<Light>& lights, const Settings& settings,
-            const SilhouetteFinder& finder);
-  DrawVisitor::Pass makeDrawPass(vtkOpenGLState* state, vtkShaderProgram* program, const View& view);
-  bool drawPrePass(vtkOpenGLRenderWindow* window, const View& view);
-  bool drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light);
+  void cull(const Frame& frame);
+  DrawVisitor::Pass makeDrawPass(vtkShaderProgram* program, const Frame& frame);
+  bool drawStages(const Frame& frame, std::string& error);
+  bool drawPrePass(const Frame& frame, std::string& error);
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
-  CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const;
 
   Capabilities capabilities;
   bool capabilitiesKnown = false;
+  std::unique_ptr<SilhouetteFinder> finder; ///< of the coming frame
   ShadowTarget target;
   CountBuffer countBuffer = CountBuffer::Stencil; ///< of the coming frame
   DrawableCache drawables;

@@ -83,6 +83,13 @@ glm::dmat4 worldFromRelative(const SEDGeometry& geometry, const glm::dmat4& mode
   return glm::translate(modelToWorld, geometry.getOrigin());
 }
 
+glm::dvec4 farPlaneToModel(const glm::dvec4& planeWC, const glm::dmat4& wcFromRelative)
+{
+  // A plane goes the other way: as a row vector from the left.
+  const glm::dvec4 planeMC = planeWC * wcFromRelative;
+  return planeMC / std::max(glm::length(glm::dvec3(planeMC)), std::abs(planeMC.w));
+}
+
 bool isInvertible(const glm::dmat4& modelToWorld)
 {
   // Scale-free test: a matrix of tiny or huge scale is fine, one that flattens is not.

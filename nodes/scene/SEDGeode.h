@@ -133,6 +133,9 @@ std::uint64_t nextRevision();
 /// World space from positions relative to a geometry's origin.
 glm::dmat4 worldFromRelative(const SEDGeometry& geometry, const glm::dmat4& modelToWorld);
 
+/// A plane in world space as positions relative to a geometry's origin see it, scaled so that floats hold it.
+glm::dvec4 farPlaneToModel(const glm::dvec4& planeWC, const glm::dmat4& wcFromRelative);
+
 /// False for a matrix that flattens, or that is not finite.
 bool isInvertible(const glm::dmat4& modelToWorld);
 

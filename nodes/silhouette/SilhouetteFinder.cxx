@@ -13,6 +13,12 @@ std::string toString(SilhouetteMethod method)
   {
   case SilhouetteMethod::BruteForce:
     return "brute-force";
+  case SilhouetteMethod::FacingTexture:
+    return "facing-texture";
+  case SilhouetteMethod::FacingTextureResident:
+    return "facing-texture-resident";
+  case SilhouetteMethod::VertexExtrusion:
+    return "vertex-extrusion";
   }
   throw std::invalid_argument("unknown silhouette method");
 }
@@ -23,8 +29,9 @@ std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method)
   {
   case SilhouetteMethod::BruteForce:
     return std::make_unique<BruteForceSilhouette>();
+  default:
+    throw std::invalid_argument(toString(method) + " finds silhouettes on the GPU only");
   }
-  throw std::invalid_argument("unknown silhouette method");
 }
 
 } // namespace shadow

@@ -12,8 +12,18 @@ namespace shadow
 /// The silhouette methods a user can choose from.
 enum class SilhouetteMethod
 {
-  BruteForce = 0 ///< facing of every triangle, then every edge (Shi 2006, chapter 3.2)
+  BruteForce = 0, ///< facing of every triangle, then every edge (Shi 2006, chapter 3.2)
+  // On the GPU, see nodes/drawable:
+  FacingTexture,         ///< facing drawn into a texture and read back (Shi 2006, chapter 3.3)
+  FacingTextureResident, ///< the same without reading it back
+  VertexExtrusion        ///< every edge a quad (McGuire & Hughes 2004)
 };
+
+/// Whether the method runs on the GPU.
+inline bool isOnGPU(SilhouetteMethod method)
+{
+  return method >= SilhouetteMethod::FacingTexture;
+}
 
 /// Finds the boundary between light and shadow on a mesh. One subclass for each published method.
 class SilhouetteFinder

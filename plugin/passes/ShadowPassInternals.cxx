@@ -13,6 +13,7 @@
 
 #include "LightCollector.h"
 #include "OpenGL.h"
+#include "ShadowVolumeGPUEffect.h"
 #include "Stopwatch.h"
 
 namespace
@@ -70,6 +71,27 @@ void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
 }
 
 //------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::RendererState::ChooseEffect(shadow::SilhouetteMethod method)
+{
+  const auto* current = dynamic_cast<const shadow::ShadowVolumeGPUEffect*>(this->Effect.get());
+  const bool suits =
+      shadow::isOnGPU(method) ? current != nullptr && current->getMethod() == method : current == nullptr;
+  if (suits)
+  {
+    return;
+  }
+  this->Effect->release(false);
+  if (shadow::isOnGPU(method))
+  {
+    this->Effect = std::make_shared<shadow::ShadowVolumeGPUEffect>(method);
+  }
+  else
+  {
+    this->Effect = std::make_shared<shadow::ShadowVolumeEffect>();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkShadowVolumePass::vtkInternals::RendererState&
 vtkShadowVolumePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
 {
@@ -102,6 +124,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
   this->LightingMilliseconds = 0.0;
 
   const shadow::Stopwatch stage;
+  state.ChooseEffect(static_cast<shadow::SilhouetteMethod>(self->SilhouetteMethod));
   this->UpdateScene(self, state);
   state.View = currentView(renderer, window);
   const shadow::LightList lights = shadow::collectLights(renderer);

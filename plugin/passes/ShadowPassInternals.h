@@ -44,6 +44,9 @@ public:
 
     ~RendererState();
 
+    /// Has the effect that a silhouette method needs.
+    void ChooseEffect(shadow::SilhouetteMethod method);
+
     /// @post the context is current, and GL objects of a context that is gone are forgotten
     void Acquire();
     void Release();

@@ -90,14 +90,18 @@ public:
   enum SilhouetteMethods
   {
     SILHOUETTE_BRUTE_FORCE =
-        0 ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+        0, ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+    SILHOUETTE_FACING_TEXTURE,          ///< facing drawn by the GPU into a texture and read back (Shi 2006,
+                                        ///< chapter 3.3)
+    SILHOUETTE_FACING_TEXTURE_RESIDENT, ///< the same without reading it back
+    SILHOUETTE_VERTEX_EXTRUSION         ///< every edge a quad on the GPU (McGuire & Hughes 2004)
   };
 
   ///@{
   /**
    * The silhouette method. All methods give the same picture. Default: SILHOUETTE_BRUTE_FORCE.
    */
-  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_BRUTE_FORCE);
+  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_VERTEX_EXTRUSION);
   vtkGetMacro(SilhouetteMethod, int);
   ///@}
 

@@ -1,0 +1,57 @@
+#include "FacingTexture.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+
+namespace shadow
+{
+
+bool FacingTexture::begin(const Frame& theFrame, std::string& error)
+{
+  if (!this->EdgeQuadSilhouette::begin(theFrame, error))
+  {
+    return false;
+  }
+  this->triangles.upload(*theFrame.collection);
+  return this->triangles.getSize() == 0 ||
+         this->camera.draw(theFrame.window, this->triangles, *theFrame.lights, error);
+}
+
+void FacingTexture::bindFacing(vtkShaderProgram* program, const Surface& surface,
+                               const std::vector<Light>& /*lights*/)
+{
+  const TexelArray& texels = this->camera.getTexels();
+  this->getFrame().window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + facingUnit);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texels.getTexture());
+  program->SetUniformi("facingTexels", facingUnit);
+  const int layer[2] = {texels.getWidth(), texels.getHeight()};
+  program->SetUniform2i("facingLayer", layer);
+  const VETRange* range = this->getFrame().collection->find(*surface.path);
+  program->SetUniformi("firstTriangle", range != nullptr ? static_cast<int>(range->firstTriangle) : 0);
+}
+
+void FacingTexture::getFacing(const NodePath& path, const Light& light, LightFacing& facing) const
+{
+  if (const VETRange* range = this->getFrame().collection->find(path))
+  {
+    this->camera.getFacing(*range, light, facing);
+  }
+}
+
+void FacingTexture::release(bool contextLost)
+{
+  this->triangles.release(contextLost);
+  this->camera.release(contextLost);
+  this->EdgeQuadSilhouette::release(contextLost);
+}
+
+std::size_t FacingTexture::getMemorySize() const
+{
+  return this->triangles.getMemorySize() + this->camera.getMemorySize() +
+         this->EdgeQuadSilhouette::getMemorySize();
+}
+
+} // namespace shadow

@@ -1,0 +1,206 @@
+#include "GPUSilhouette.h"
+
+#include <algorithm>
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "LightUniforms.h"
+#include "OpenGL.h"
+#include "ShadowVolume.h"
+#include "SweepUnused.h"
+
+namespace shadow
+{
+
+bool GPUSilhouette::begin(const Frame& theFrame, std::string& /*error*/)
+{
+  this->frame = theFrame;
+  return true;
+}
+
+bool GPUSilhouette::prepare(const Surface& surface, std::string& error)
+{
+  const std::shared_ptr<const SEDGeometry>& geometry = surface.geode->getSharedGeometry();
+  Entry& entry = this->tables[geometry.get()];
+  entry.used = true;
+  if (entry.texels != nullptr && entry.geometry.lock() == geometry)
+  {
+    return true;
+  }
+  if (entry.texels == nullptr)
+  {
+    entry.texels = std::make_unique<GeometryTexels>();
+  }
+  entry.geometry = geometry;
+  return entry.texels->upload(*geometry, error);
+}
+
+GeometryTexels& GPUSilhouette::getTables(const Surface& surface)
+{
+  return *this->tables.at(&surface.geode->getGeometry()).texels;
+}
+
+void GPUSilhouette::bindFacing(vtkShaderProgram* program, const Surface& surface,
+                               const std::vector<Light>& lights)
+{
+  const SceneFrame& space = this->getTables(surface).getFrame();
+  program->SetUniformf("facingScale", static_cast<float>(1.0 / space.unit));
+  std::vector<Light> lightsMC;
+  for (const Light& light : lights)
+  {
+    const auto state = surface.state->lights.find(light.index);
+    if (state != surface.state->lights.end() && state->second.faced)
+    {
+      lightsMC.push_back({light.index, state->second.lightMC});
+    }
+  }
+  setLightUniforms(program, lightsMC, space);
+}
+
+vtkShaderProgram* GPUSilhouette::use(ShadowPrograms::Stage stage, const Surface& surface,
+                                     const std::vector<Light>& lights, const std::string& switches)
+{
+  const View& view = *this->frame.view;
+  vtkShaderProgram* program =
+      ShadowPrograms(this->frame.window).use(stage, view.parallel, this->getFacingSwitches() + switches);
+  if (program == nullptr)
+  {
+    return nullptr;
+  }
+  this->getTables(surface).bind(this->frame.window->GetState(), program, tableUnit);
+  this->bindFacing(program, surface, lights);
+  const glm::dmat4 wcFromMC = worldFromRelative(surface.geode->getGeometry(), surface.modelToWorld);
+  setUniform(program, "clipFromMC", this->frame.clipFromWC * wcFromMC);
+  if (view.parallel)
+  {
+    setUniform(program, "nearFromMC", view.viewDepth * wcFromMC);
+  }
+  setDepthBias(program, this->frame.reversedDepth, false);
+  return program;
+}
+
+vtkShaderProgram* GPUSilhouette::useForVolume(ShadowPrograms::Stage stage, const Surface& surface,
+                                              const Light& light, const std::string& switches)
+{
+  vtkShaderProgram* program = this->use(stage, surface, {light}, switches);
+  if (program == nullptr)
+  {
+    return nullptr;
+  }
+  const PathLightState& state = surface.state->lights.at(light.index);
+  const SEDGeometry& geometry = surface.geode->getGeometry();
+  setUniform(program, "lightMC", state.lightMC);
+  setUniform(program, "farPlaneMC",
+             farPlaneToModel(state.plan.farPlaneWC, worldFromRelative(geometry, surface.modelToWorld)));
+  program->SetUniformi("light", light.index);
+  const bool lightFacingOnly = chooseCasting(geometry, state.lightMC) == Casting::LightFacing;
+  program->SetUniformi("lightFacingOnly", lightFacingOnly ? 1 : 0);
+  return program;
+}
+
+bool GPUSilhouette::isMirrored(const Surface& surface) const
+{
+  return this->frame.view->mirrored != (glm::determinant(glm::dmat3(surface.modelToWorld)) < 0.0);
+}
+
+FaceCounter GPUSilhouette::countWith(vtkShaderProgram* program, const Surface& surface,
+                                     StencilCount count) const
+{
+  return {{this->frame.window->GetState(), program, CountBuffer::Color, this->frame.reversedDepth},
+          count,
+          this->isMirrored(surface)};
+}
+
+glm::vec3 GPUSilhouette::chooseApex(const SEDGeometry& geometry, const glm::dvec4& lightMC)
+{
+  const std::vector<glm::vec3>& positions = geometry.getPositions();
+  const glm::vec3 light(lightMC);
+  const auto apart =
+      std::find_if(positions.begin(), positions.end(),
+                   [&](const glm::vec3& position) { return lightMC.w == 0.0 || position != light; });
+  return apart != positions.end() ? *apart : glm::vec3(0.0f);
+}
+
+bool GPUSilhouette::drawSurface(const Surface& surface)
+{
+  vtkShaderProgram* program = this->use(ShadowPrograms::SurfacePrePass, surface, *this->frame.lights);
+  if (program == nullptr)
+  {
+    return false;
+  }
+  GLuint others = ~0u;
+  for (const Light& light : *this->frame.lights)
+  {
+    const auto state = surface.state->lights.find(light.index);
+    const bool known = state != surface.state->lights.end() && state->second.faced;
+    others &= known ? ~(1u << static_cast<unsigned>(light.index)) : ~0u;
+  }
+  glUniform1ui(glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), "otherLights"), others);
+  const SEDGeometry& geometry = surface.geode->getGeometry();
+  program->SetUniformi("triangleCount", static_cast<int>(geometry.getTriangles().size()));
+  this->frame.drawables->getGeometry(surface.geode->getSharedGeometry())
+      .drawPrePass(this->frame.window->GetState(), program, nullptr, surface.faceCulling,
+                   this->isMirrored(surface));
+  return true;
+}
+
+bool GPUSilhouette::drawCap(const Surface& surface, const Light& light, StencilCount count, bool far)
+{
+  vtkShaderProgram* program = this->useForVolume(ShadowPrograms::SurfaceCap, surface, light);
+  if (program == nullptr)
+  {
+    return false;
+  }
+  program->SetUniformi("farCap", far ? 1 : 0);
+  const SEDGeometry& geometry = surface.geode->getGeometry();
+  program->SetUniformi("triangleCount", static_cast<int>(geometry.getTriangles().size()));
+  SEDGeometryDrawable& drawable = this->frame.drawables->getGeometry(surface.geode->getSharedGeometry());
+  this->countWith(program, surface, count).count(1, false, [&] { drawable.draw(program, nullptr); });
+  return true;
+}
+
+bool GPUSilhouette::drawVolume(const Surface& surface, const Light& light, StencilCount count)
+{
+  const PathLightState& state = surface.state->lights.at(light.index);
+  // Where the far copies of a directional light's volume are one point nothing is open.
+  const bool farEndOpen = light.positionWC.w != 0.0 || !state.plan.isFarAtInfinity();
+  const bool fan = farEndOpen && state.plan.darkCap == DarkCap::Fan;
+  bool drawn = this->drawSides(surface, light, count, fan);
+  if (state.plan.lightCap)
+  {
+    drawn = drawn && this->drawCap(surface, light, count, false);
+  }
+  if (farEndOpen && state.plan.darkCap == DarkCap::Triangles)
+  {
+    drawn = drawn && this->drawCap(surface, light, count, true);
+  }
+  return drawn;
+}
+
+void GPUSilhouette::sweep()
+{
+  sweepUnused(this->tables, [](Entry& entry) { entry.texels->release(false); });
+}
+
+void GPUSilhouette::release(bool contextLost)
+{
+  for (auto& [key, entry] : this->tables)
+  {
+    entry.texels->release(contextLost);
+  }
+  this->tables.clear();
+}
+
+std::size_t GPUSilhouette::getMemorySize() const
+{
+  std::size_t bytes = 0;
+  for (const auto& [key, entry] : this->tables)
+  {
+    bytes += entry.texels->getMemorySize();
+  }
+  return bytes;
+}
+
+} // namespace shadow

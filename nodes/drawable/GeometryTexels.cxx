@@ -1,0 +1,111 @@
+#include "GeometryTexels.h"
+
+#include <array>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+constexpr int tableCount = 3;
+
+bool fill(TexelArray& table, const std::vector<glm::uvec4>& texels, std::string& error)
+{
+  if (!table.allocate(texels.size(), error))
+  {
+    return false;
+  }
+  table.upload(texels.data(), 0, texels.size());
+  return true;
+}
+
+} // namespace
+
+bool GeometryTexels::upload(const SEDGeometry& geometry, std::string& error)
+{
+  std::vector<glm::uvec4> texels;
+  texels.reserve(geometry.getEdges().size());
+  for (std::size_t i = 0; i < geometry.getTriangles().size(); ++i)
+  {
+    const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[i];
+    texels.emplace_back(corners[0], corners[1], corners[2], geometry.getReversed().test(i) ? 1u : 0u);
+  }
+  if (!fill(this->triangles, texels, error))
+  {
+    return false;
+  }
+  texels.clear();
+  for (const Edge& edge : geometry.getEdges())
+  {
+    texels.emplace_back(edge.vertices[0], edge.vertices[1], edge.triangles[0], edge.triangles[1]);
+  }
+  if (!fill(this->edges, texels, error) || !this->positions.allocate(geometry.getPositions().size(), error))
+  {
+    return false;
+  }
+  this->uploadPositions(geometry);
+  return true;
+}
+
+void GeometryTexels::uploadPositions(const SEDGeometry& geometry)
+{
+  std::vector<glm::vec4> texels;
+  texels.reserve(geometry.getPositions().size());
+  for (const glm::vec3& position : geometry.getPositions())
+  {
+    texels.emplace_back(position, 1.0f);
+  }
+  this->positions.upload(texels.data(), 0, texels.size());
+  // The origin of positions stays where it is, so that they are scaled only, which rounds nothing.
+  const glm::dvec3 reach = glm::max(glm::abs(geometry.getLowerBound()), glm::abs(geometry.getUpperBound()));
+  this->frame = SceneFrame::around(-reach, reach);
+}
+
+void GeometryTexels::bind(vtkOpenGLState* state, vtkShaderProgram* program, int firstUnit) const
+{
+  const std::array<const TexelArray*, tableCount> tables = {&this->positions, &this->triangles, &this->edges};
+  const std::array<const char*, tableCount> names = {"positionTexels", "triangleTexels", "edgeTexels"};
+  const std::array<const char*, tableCount> sizes = {"positionLayer", "triangleLayer", "edgeLayer"};
+  for (int i = 0; i < tableCount; ++i)
+  {
+    const auto place = static_cast<std::size_t>(i);
+    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + i));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, tables[place]->getTexture());
+    program->SetUniformi(names[place], firstUnit + i);
+    const int size[2] = {tables[place]->getWidth(), tables[place]->getHeight()};
+    program->SetUniform2i(sizes[place], size);
+  }
+}
+
+void GeometryTexels::unbind(vtkOpenGLState* state, int firstUnit)
+{
+  for (int i = 0; i < tableCount; ++i)
+  {
+    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + i));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  }
+}
+
+void GeometryTexels::release(bool contextLost)
+{
+  for (TexelArray* table : {&this->positions, &this->triangles, &this->edges})
+  {
+    table->release(contextLost);
+  }
+}
+
+std::size_t GeometryTexels::getMemorySize() const
+{
+  return this->positions.getMemorySize() + this->triangles.getMemorySize() + this->edges.getMemorySize();
+}
+
+} // namespace shadow

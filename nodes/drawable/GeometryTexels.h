@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "SEDGeometry.h"
+#include "SceneFrame.h"
+#include "TexelArray.h"
+
+class vtkOpenGLState;
+class vtkShaderProgram;
+
+namespace shadow
+{
+
+/// The tables of a SEDGeometry as a shader looks them up by index: see shaders/geometryTexels.glsl.
+///
+/// @par Memory  16 bytes a vertex, a triangle and an edge
+/// @par Source  Brabec & Seidel 2003 (vertices in a float texture)
+class GeometryTexels
+{
+public:
+  GeometryTexels() = default;
+  GeometryTexels(const GeometryTexels&) = delete;
+  GeometryTexels& operator=(const GeometryTexels&) = delete;
+
+  /// Copies the geometry. @return false with a line in @p error when the GL has no room for it
+  bool upload(const SEDGeometry& geometry, std::string& error);
+
+  /// Copies the positions alone. @pre upload() of a geometry with the same vertices, triangles and edges
+  void uploadPositions(const SEDGeometry& geometry);
+
+  /// Binds the tables to texture units @p firstUnit to @p firstUnit + 2 and sets the program's uniforms.
+  /// @pre  the program is current
+  void bind(vtkOpenGLState* state, vtkShaderProgram* program, int firstUnit) const;
+
+  /// Takes the tables off the units again.
+  static void unbind(vtkOpenGLState* state, int firstUnit);
+
+  /// Model space relative to the origin, scaled to the geometry's size: what facing is evaluated in.
+  const SceneFrame& getFrame() const { return this->frame; }
+
+  void release(bool contextLost = false);
+  std::size_t getMemorySize() const;
+
+private:
+  TexelArray positions{TexelFormat::Float4}; ///< xyz
+  TexelArray triangles{TexelFormat::UInt4};  ///< vertices in raster order; w = 1: oriented against it
+  TexelArray edges{TexelFormat::UInt4};      ///< vertices, triangles: see Edge
+  SceneFrame frame;
+};
+
+} // namespace shadow

@@ -1,0 +1,159 @@
+#include "ShadowVolumeGPUEffect.h"
+
+#include <stdexcept>
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include "BruteForceSilhouette.h"
+#include "EdgeQuadSilhouette.h"
+#include "FacingTexture.h"
+#include "GPUSilhouetteVisitor.h"
+#include "OpenGL.h"
+#include "ReadFacingVisitor.h"
+#include "SEDVisitor.h"
+#include "SVStateVisitor.h"
+#include "Stopwatch.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+std::unique_ptr<GPUSilhouette> makeGPUSilhouette(SilhouetteMethod method)
+{
+  switch (method)
+  {
+  case SilhouetteMethod::FacingTexture:
+  case SilhouetteMethod::FacingTextureResident:
+    return std::make_unique<FacingTexture>();
+  default:
+    return std::make_unique<EdgeQuadSilhouette>();
+  }
+}
+
+} // namespace
+
+ShadowVolumeGPUEffect::ShadowVolumeGPUEffect(SilhouetteMethod gpuMethod)
+    : name(gpuMethod), method(makeGPUSilhouette(gpuMethod))
+{
+  if (gpuMethod == SilhouetteMethod::FacingTexture)
+  {
+    this->readBack = static_cast<FacingTexture*>(this->method.get());
+  }
+}
+
+CountBuffer ShadowVolumeGPUEffect::chooseCountBuffer(CountBuffer wanted, int samples) const
+{
+  return this->readBack != nullptr ? this->ShadowVolumeEffect::chooseCountBuffer(wanted, samples)
+                                   : CountBuffer::Color;
+}
+
+bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
+{
+  GPUSilhouette::Frame gpuFrame;
+  gpuFrame.window = frame.window;
+  gpuFrame.lights = &frame.lights;
+  gpuFrame.view = &frame.view;
+  gpuFrame.drawables = &this->getDrawables();
+  gpuFrame.clipFromWC = this->getClipFromWC(frame.view);
+  gpuFrame.reversedDepth = this->getDepthRange().reversed;
+  if (this->method->needsCollection())
+  {
+    try
+    {
+      this->collector.collect(*this);
+    }
+    catch (const std::length_error& tooLarge)
+    {
+      error = tooLarge.what();
+      return false;
+    }
+    gpuFrame.collection = &this->collector.getCollection();
+  }
+  if (!this->method->begin(gpuFrame, error))
+  {
+    return false;
+  }
+  GPUSilhouetteVisitor prepare(GPUSilhouetteVisitor::Stage::Prepare, *this->method, frame.lights);
+  this->accept(prepare);
+  this->method->sweep();
+  error = prepare.getError();
+  if (frame.settings.waitAfterStages)
+  {
+    glFinish();
+  }
+  if (error.empty() && this->readBack != nullptr)
+  {
+    this->readBack->startReadBack();
+  }
+  return error.empty();
+}
+
+bool ShadowVolumeGPUEffect::drawSurfaces(const Frame& frame, std::string& error)
+{
+  GPUSilhouetteVisitor draw(GPUSilhouetteVisitor::Stage::Draw, *this->method, frame.lights);
+  this->accept(draw);
+  this->changeStatistics().prePassTriangles = draw.getCounts().geometry;
+  error = draw.getError();
+  return error.empty();
+}
+
+bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& error)
+{
+  if (this->readBack == nullptr)
+  {
+    return true;
+  }
+  if (!this->readBack->fetch())
+  {
+    error = "the GL lost the facing texture while it was read back";
+    return false;
+  }
+  this->changeStatistics().readBackMilliseconds = this->readBack->getReadBackTimes().getSum();
+  ReadFacingVisitor read(*this->readBack, frame.lights);
+  this->accept(read);
+  this->extrude(frame, BruteForceSilhouette());
+  return true;
+}
+
+bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, std::string& error)
+{
+  if (this->readBack != nullptr)
+  {
+    return this->ShadowVolumeEffect::drawVolumes(frame, light, error);
+  }
+  this->getTarget().beginCount(frame.window->GetState());
+  bool counted = false;
+  for (const StencilCount count : {StencilCount::ZPass, StencilCount::ZFail})
+  {
+    SVStateVisitor volumeMode(RenderMode{RenderMode::What::Volume, light.index, count});
+    this->accept(volumeMode);
+    GPUSilhouetteVisitor draw(GPUSilhouetteVisitor::Stage::Draw, *this->method, frame.lights);
+    this->accept(draw);
+    this->changeStatistics().sideTriangles += draw.getCounts().sides;
+    this->changeStatistics().capTriangles += draw.getCounts().caps;
+    counted = counted || draw.hasDrawn();
+    error = draw.getError();
+    if (!error.empty())
+    {
+      return false;
+    }
+  }
+  ShadowPrograms programs(frame.window);
+  return !counted || this->getTarget().foldCount(frame.window->GetState(), programs, light.index,
+                                                 this->getDepthRange().reversed);
+}
+
+void ShadowVolumeGPUEffect::release(bool contextLost)
+{
+  this->method->release(contextLost);
+  this->ShadowVolumeEffect::release(contextLost);
+}
+
+std::size_t ShadowVolumeGPUEffect::getGraphicsMemorySize() const
+{
+  return this->method->getMemorySize() + this->ShadowVolumeEffect::getGraphicsMemorySize();
+}
+
+} // namespace shadow

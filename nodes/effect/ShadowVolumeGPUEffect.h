@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "GPUSilhouette.h"
+#include "ShadowVolumeEffect.h"
+#include "VETCollector.h"
+
+namespace shadow
+{
+
+class FacingTexture;
+
+/// The passes of ShadowVolumeEffect with the silhouette found on the GPU.
+///
+/// 1. SilhouetteCamera, or whatever the method does before it draws
+/// 2. pre-pass, with the facing from there
+/// 3. facing-texture: the texture read back, edges classified and extruded on the CPU while the GL works on
+/// the
+///    pre-pass; else nothing
+/// 4. for each light: volumes counted
+///
+/// Methods that keep everything on the GPU count in colour, since nothing there bounds how often a ray enters
+/// a volume.
+///
+/// @par Source  Shi 2006, chapter 4.3
+class ShadowVolumeGPUEffect : public ShadowVolumeEffect
+{
+public:
+  explicit ShadowVolumeGPUEffect(SilhouetteMethod gpuMethod);
+
+  SilhouetteMethod getMethod() const { return this->name; }
+
+  void release(bool contextLost) override;
+  std::size_t getGraphicsMemorySize() const override;
+
+protected:
+  bool findFacing(const Frame& frame, std::string& error) override;
+  bool drawSurfaces(const Frame& frame, std::string& error) override;
+  bool findSilhouettes(const Frame& frame, std::string& error) override;
+  bool drawVolumes(const Frame& frame, const Light& light, std::string& error) override;
+  CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const override;
+
+private:
+  SilhouetteMethod name;
+  std::unique_ptr<GPUSilhouette> method;
+  FacingTexture* readBack = nullptr; ///< the method, when the CPU classifies the edges
+  VETCollector collector;
+};
+
+} // namespace shadow
