@@ -176,7 +176,7 @@ bool VETCollector::hasSameTopology() const
          std::equal(ranges.begin(), ranges.end(), this->found.begin(), this->found.end(),
                     [this](const VETRange& known, const VETRange& now)
                     {
-                      return known.path == now.path && known.mirrored == now.mirrored &&
+                      return known.mirrored == now.mirrored &&
                              (known.geometry == now.geometry ||
                               (known.countVertices() == now.countVertices() &&
                                known.countTriangles() == now.countTriangles() &&
@@ -233,6 +233,8 @@ VETCollector::Change VETCollector::gatherMoved()
   const SceneFrame frame = this->chooseFrame(true);
   const bool newFrame = !(frame == this->collection.frame);
   this->collection.frame = frame;
+  // Other nodes may have taken the places of those that were there.
+  this->collection.rangeOfPath = this->placeOfPath;
   const std::uint64_t revision = nextRevision();
   Change change = Change::Nothing;
   for (std::size_t place = 0; place < this->found.size(); ++place)
@@ -241,6 +243,7 @@ VETCollector::Change VETCollector::gatherMoved()
     VETRange& range = this->collection.ranges[place];
     const bool rebuilt = range.geometry != now.geometry;
     const bool moved = rebuilt || newFrame || range.modelToWorld != now.modelToWorld;
+    range.path = now.path;
     range.casting = now.casting;
     range.geometry = now.geometry;
     range.modelToWorld = now.modelToWorld;

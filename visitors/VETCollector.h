@@ -24,7 +24,7 @@ public:
     Nothing,
     Positions, ///< vertices of some ranges moved: their positionRevision rose, and orderRevision where
                ///< corners changed places. A mesh that was built anew with the same vertices, edges and
-               ///< oriented triangles counts as moved
+               ///< oriented triangles counts as moved, whatever node holds it
     Everything ///< topologyRevision and all revisions of ranges rose
   };
 

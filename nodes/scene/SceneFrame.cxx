@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 
 #include "GridOrigin.h"
 
@@ -22,12 +25,25 @@ double powerOfTwoAbove(double value)
   return value > 0.0 ? std::exp2(std::ceil(std::log2(value))) : 1.0;
 }
 
+/// To the nearest double that a float holds. On the bits: GCC 12 takes a conversion to float and back for
+/// nothing where it vectorises two of them (x - double(float(x)) became 0).
+double roundToFloat(double value)
+{
+  constexpr int more = std::numeric_limits<double>::digits - std::numeric_limits<float>::digits;
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  bits += std::uint64_t{1} << (more - 1);
+  bits &= ~((std::uint64_t{1} << more) - 1);
+  std::memcpy(&value, &bits, sizeof(bits));
+  return value;
+}
+
 } // namespace
 
 SplitVector split(const glm::dvec3& value)
 {
-  const glm::vec3 high(value);
-  return {high, glm::vec3(value - glm::dvec3(high))};
+  const glm::dvec3 high(roundToFloat(value.x), roundToFloat(value.y), roundToFloat(value.z));
+  return {glm::vec3(high), glm::vec3(value - high)};
 }
 
 double SceneFrame::reachOf(const glm::dvec3& lowerWC, const glm::dvec3& upperWC) const

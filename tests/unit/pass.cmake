@@ -1,14 +1,14 @@
 # Tests of vtkShadowVolumePass and of the scene graph below it. Included by CMakeLists.txt.
-add_executable(test_scene_graph test_scene_graph.cxx)
+add_executable(test_scene_graph test_scene_frame.cxx test_scene_graph.cxx test_vet_collector.cxx)
 target_link_libraries(test_scene_graph PRIVATE
   shadow_visitors shadow_test_meshes GTest::gtest_main shadow_warnings)
 gtest_discover_tests(test_scene_graph DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
 if(VTKSHADOW_HEADLESS)
   # A scene in a headless window that the image tests use as well.
-  add_library(shadow_ball_scene STATIC BallScene.cxx)
+  add_library(shadow_ball_scene STATIC BallScene.cxx GLInspection.cxx)
   target_include_directories(shadow_ball_scene PUBLIC ${CMAKE_CURRENT_LIST_DIR})
-  target_link_libraries(shadow_ball_scene PUBLIC shadow_test_scene PRIVATE shadow_warnings)
+  target_link_libraries(shadow_ball_scene PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings)
 
   add_executable(test_pass
     test_pass_changes.cxx
@@ -28,4 +28,18 @@ if(VTKSHADOW_HEADLESS)
   vtk_module_autoinit(TARGETS test_pass MODULES
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+
+  # The groundwork of the GPU methods, without a pass.
+  add_executable(test_gpu
+    GpuScene.cxx
+    test_silhouette_camera.cxx
+    test_silhouette_camera_precision.cxx
+    test_texel_array.cxx)
+  target_link_libraries(test_gpu PRIVATE
+    shadow_ball_scene shadow_drawable shadow_visitors shadow_test_meshes GTest::gtest_main shadow_warnings
+    VTK::FiltersCore VTK::IOGeometry)
+  vtk_module_autoinit(TARGETS test_gpu MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
+  # Meshes that may be found beside the project.
+  target_compile_definitions(test_gpu PRIVATE SHADOW_MODELS="${PROJECT_SOURCE_DIR}/../shared/models")
+  gtest_discover_tests(test_gpu DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 endif()

@@ -11,30 +11,13 @@
 #include <unistd.h>
 
 #include "BallScene.h"
+#include "GLInspection.h"
 #include "OpenGL.h"
 
 using namespace shadow::test;
 
 namespace
 {
-
-/// Names in use, by kind.
-std::map<std::string, int> countObjects(BallScene& scene)
-{
-  scene.window->MakeCurrent();
-  std::map<std::string, int> count;
-  for (GLuint name = 1; name < 4000; ++name)
-  {
-    count["textures"] += glIsTexture(name);
-    count["buffers"] += glIsBuffer(name);
-    count["framebuffers"] += glIsFramebuffer(name);
-    count["renderbuffers"] += glIsRenderbuffer(name);
-    count["vertex arrays"] += glIsVertexArray(name);
-    count["programs"] += glIsProgram(name);
-    count["shaders"] += glIsShader(name);
-  }
-  return count;
-}
 
 double residentMegabytes()
 {
@@ -58,7 +41,7 @@ void expectNoGrowth(BallScene& scene, Round&& round)
   {
     round(i);
   }
-  const auto objects = countObjects(scene);
+  const auto objects = countGLObjects(scene.window);
   double smallestGrowth = std::numeric_limits<double>::max();
   for (int hundred = 0; hundred < 3 && smallestGrowth >= tolerableMegabytes; ++hundred)
   {
@@ -69,7 +52,7 @@ void expectNoGrowth(BallScene& scene, Round&& round)
     }
     smallestGrowth = std::min(smallestGrowth, residentMegabytes() - memory);
   }
-  EXPECT_EQ(countObjects(scene), objects);
+  EXPECT_EQ(countGLObjects(scene.window), objects);
   EXPECT_LT(smallestGrowth, tolerableMegabytes);
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
@@ -82,14 +65,14 @@ TEST(PassGrowth, Released_NoObjectsOfItsOwnAreLeft)
   scene.renderer->SetPass(nullptr);
   scene.window->Render();
   scene.window->Render();
-  const auto plain = countObjects(scene);
+  const auto plain = countGLObjects(scene.window);
   scene.renderer->SetPass(scene.pass);
   scene.window->Render();
-  EXPECT_GT(countObjects(scene)["textures"], plain.at("textures"));
+  EXPECT_GT(countGLObjects(scene.window)["textures"], plain.at("textures"));
   scene.renderer->SetPass(nullptr);
   scene.pass->ReleaseGraphicsResources(scene.window);
   scene.window->Render();
-  auto released = countObjects(scene);
+  auto released = countGLObjects(scene.window);
   for (const char* kind : {"textures", "buffers", "framebuffers", "renderbuffers", "vertex arrays"})
   {
     EXPECT_EQ(released[kind], plain.at(kind)) << kind;

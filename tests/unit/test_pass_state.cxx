@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <string>
-#include <vector>
-
 #include <vtkCameraPass.h>
 #include <vtkLightsPass.h>
 #include <vtkObjectFactory.h>
@@ -14,58 +10,13 @@
 #include <vtkSequencePass.h>
 
 #include "BallScene.h"
+#include "GLInspection.h"
 #include "OpenGL.h"
 
 using namespace shadow::test;
 
 namespace
 {
-
-using State = std::map<std::string, std::vector<int>>;
-
-State readState()
-{
-  State state;
-  const auto integers = [&](const char* name, GLenum value, int count)
-  {
-    GLint values[4] = {0, 0, 0, 0};
-    glGetIntegerv(value, values);
-    state[name].assign(values, values + count);
-  };
-#define READ(name, count) integers(#name, name, count)
-  READ(GL_CLIP_ORIGIN, 1), READ(GL_CLIP_DEPTH_MODE, 1), READ(GL_PROVOKING_VERTEX, 1),
-      READ(GL_LOGIC_OP_MODE, 1);
-  READ(GL_VIEWPORT, 4), READ(GL_SCISSOR_BOX, 4), READ(GL_POLYGON_MODE, 1), READ(GL_FRONT_FACE, 1);
-  READ(GL_CULL_FACE_MODE, 1), READ(GL_DEPTH_FUNC, 1), READ(GL_DEPTH_WRITEMASK, 1),
-      READ(GL_COLOR_WRITEMASK, 4);
-  READ(GL_BLEND_SRC_RGB, 1), READ(GL_BLEND_DST_RGB, 1), READ(GL_BLEND_SRC_ALPHA, 1),
-      READ(GL_BLEND_DST_ALPHA, 1);
-  READ(GL_BLEND_EQUATION_RGB, 1), READ(GL_BLEND_EQUATION_ALPHA, 1);
-  READ(GL_STENCIL_FUNC, 1), READ(GL_STENCIL_REF, 1), READ(GL_STENCIL_VALUE_MASK, 1),
-      READ(GL_STENCIL_WRITEMASK, 1);
-  READ(GL_STENCIL_FAIL, 1), READ(GL_STENCIL_PASS_DEPTH_FAIL, 1), READ(GL_STENCIL_PASS_DEPTH_PASS, 1);
-  READ(GL_STENCIL_BACK_FUNC, 1), READ(GL_STENCIL_BACK_REF, 1), READ(GL_STENCIL_BACK_VALUE_MASK, 1);
-  READ(GL_STENCIL_BACK_WRITEMASK, 1), READ(GL_STENCIL_BACK_FAIL, 1);
-  READ(GL_STENCIL_BACK_PASS_DEPTH_FAIL, 1), READ(GL_STENCIL_BACK_PASS_DEPTH_PASS, 1);
-  READ(GL_STENCIL_CLEAR_VALUE, 1), READ(GL_DRAW_FRAMEBUFFER_BINDING, 1), READ(GL_READ_FRAMEBUFFER_BINDING, 1);
-  READ(GL_ACTIVE_TEXTURE, 1), READ(GL_DRAW_BUFFER, 1), READ(GL_READ_BUFFER, 1), READ(GL_PACK_ALIGNMENT, 1);
-  READ(GL_UNPACK_ALIGNMENT, 1), READ(GL_VERTEX_ARRAY_BINDING, 1), READ(GL_RENDERBUFFER_BINDING, 1);
-#undef READ
-#define ENABLED(name) state[#name] = {glIsEnabled(name)}
-  ENABLED(GL_DEPTH_TEST), ENABLED(GL_STENCIL_TEST), ENABLED(GL_BLEND), ENABLED(GL_CULL_FACE);
-  ENABLED(GL_SCISSOR_TEST), ENABLED(GL_COLOR_LOGIC_OP), ENABLED(GL_DEPTH_CLAMP),
-      ENABLED(GL_POLYGON_OFFSET_FILL);
-  ENABLED(GL_MULTISAMPLE), ENABLED(GL_SAMPLE_ALPHA_TO_COVERAGE), ENABLED(GL_RASTERIZER_DISCARD);
-  ENABLED(GL_FRAMEBUFFER_SRGB), ENABLED(GL_PRIMITIVE_RESTART), ENABLED(GL_CLIP_DISTANCE0);
-#undef ENABLED
-  GLfloat depth[2] = {0.0f, 0.0f};
-  glGetFloatv(GL_DEPTH_RANGE, depth);
-  state["GL_DEPTH_RANGE"] = {static_cast<int>(1000.0f * depth[0]), static_cast<int>(1000.0f * depth[1])};
-  GLfloat clear[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-  glGetFloatv(GL_DEPTH_CLEAR_VALUE, clear);
-  state["GL_DEPTH_CLEAR_VALUE"] = {static_cast<int>(1000.0f * clear[0])};
-  return state;
-}
 
 /// Notes the GL's state when it is its turn.
 class StateReader : public vtkRenderPass
@@ -76,10 +27,10 @@ public:
   void Render(const vtkRenderState*) override
   {
     this->error = glGetError();
-    this->state = readState();
+    this->state = readGLState();
   }
 
-  State state;
+  GLStateValues state;
   GLenum error = GL_NO_ERROR;
 };
 vtkStandardNewMacro(StateReader);
