@@ -29,15 +29,18 @@ if(VTKSHADOW_HEADLESS)
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
-  # The groundwork of the GPU methods, without a pass.
+  # The groundwork of the GPU methods, without a pass. The benchmarks use the scene as well.
+  add_library(shadow_gpu_scene STATIC GpuScene.cxx)
+  target_include_directories(shadow_gpu_scene PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+  target_link_libraries(shadow_gpu_scene
+    PUBLIC shadow_test_scene shadow_drawable shadow_visitors shadow_test_meshes PRIVATE shadow_warnings)
+
   add_executable(test_gpu
-    GpuScene.cxx
     test_silhouette_camera.cxx
     test_silhouette_camera_precision.cxx
     test_texel_array.cxx)
   target_link_libraries(test_gpu PRIVATE
-    shadow_ball_scene shadow_drawable shadow_visitors shadow_test_meshes GTest::gtest_main shadow_warnings
-    VTK::FiltersCore VTK::IOGeometry)
+    shadow_gpu_scene shadow_ball_scene GTest::gtest_main shadow_warnings VTK::FiltersCore VTK::IOGeometry)
   vtk_module_autoinit(TARGETS test_gpu MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
   # Meshes that may be found beside the project.
   target_compile_definitions(test_gpu PRIVATE SHADOW_MODELS="${PROJECT_SOURCE_DIR}/../shared/models")
