@@ -1,5 +1,10 @@
 # Tests of vtkShadowVolumePass and of the scene graph below it. Included by CMakeLists.txt.
-add_executable(test_scene_graph test_scene_frame.cxx test_scene_graph.cxx test_vet_collector.cxx)
+add_executable(test_scene_graph
+  CollectionLaws.cxx
+  test_scene_frame.cxx
+  test_scene_graph.cxx
+  test_vet_collector.cxx
+  test_vet_collector_changes.cxx)
 target_link_libraries(test_scene_graph PRIVATE
   shadow_visitors shadow_test_meshes GTest::gtest_main shadow_warnings)
 gtest_discover_tests(test_scene_graph DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
@@ -45,4 +50,8 @@ if(VTKSHADOW_HEADLESS)
   # Meshes that may be found beside the project.
   target_compile_definitions(test_gpu PRIVATE SHADOW_MODELS="${PROJECT_SOURCE_DIR}/../shared/models")
   gtest_discover_tests(test_gpu DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+  # Once more with the least that the GL must have, and GLSL without exact arithmetic.
+  add_test(NAME SilhouetteCamera.OnGL32 COMMAND test_gpu)
+  set_tests_properties(SilhouetteCamera.OnGL32 PROPERTIES LABELS unit ENVIRONMENT
+    "MESA_GL_VERSION_OVERRIDE=3.2;MESA_GLSL_VERSION_OVERRIDE=150;MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader5")
 endif()

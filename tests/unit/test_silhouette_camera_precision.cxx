@@ -20,6 +20,7 @@
 #include <vtkTriangleFilter.h>
 
 #include "GpuScene.h"
+#include "OpenGL.h"
 
 using namespace shadow;
 using namespace shadow::test;
@@ -27,8 +28,22 @@ using namespace shadow::test;
 namespace
 {
 
-/// A sign may be wrong for lights nearer to the plane than this, relative to their distance.
-constexpr double tolerance = 1e-12;
+/// A sign may be wrong for lights nearer to the plane than this, relative to their distance: single precision
+/// where GLSL has no exact arithmetic, see shaders/facing.glsl. @pre  a context is current
+double getTolerance()
+{
+  GLint major = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  bool precise = major >= 4;
+  GLint extensions = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
+  for (GLint i = 0; i < extensions && !precise; ++i)
+  {
+    const GLubyte* name = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    precise = std::string(reinterpret_cast<const char*>(name)) == "GL_ARB_gpu_shader5";
+  }
+  return precise ? 1e-12 : 2e-7;
+}
 
 struct Mesh
 {
@@ -155,7 +170,7 @@ TEST(SilhouetteCameraPrecision, ThousandRandomLights_WrongOnlyAHairFromThePlane)
     }
     const FacingComparison result = compare(scene, lights);
     report(mesh.name, result);
-    EXPECT_LE(result.largestDistance, tolerance) << mesh.name;
+    EXPECT_LE(result.largestDistance, getTolerance()) << mesh.name;
     EXPECT_LE(result.different, result.triangles / 1000000) << mesh.name;
   }
 }
@@ -169,7 +184,7 @@ TEST(SilhouetteCameraPrecision, LightsInThePlaneOfTriangles_WrongOnlyAHairFromTh
     std::mt19937 random(6);
     const FacingComparison result = compare(scene, makeLightsInPlanes(*mesh.geometry, 200, random));
     report(mesh.name + ", in planes", result);
-    EXPECT_LE(result.largestDistance, tolerance) << mesh.name;
+    EXPECT_LE(result.largestDistance, getTolerance()) << mesh.name;
   }
 }
 
@@ -233,6 +248,6 @@ TEST(SilhouetteCameraPrecision, OneMeshAtLargeCoordinates_AsPreciseAsAtZero)
     }
     const FacingComparison result = compare(scene, lights);
     report("torus, 0.01 alone at " + std::to_string(far), result);
-    EXPECT_LE(result.largestDistance, tolerance);
+    EXPECT_LE(result.largestDistance, getTolerance());
   }
 }
