@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "EdgeConnector.h"
@@ -103,7 +104,9 @@ bool SEDGeometryBuilder::chooseOrigin(const TriangleSoup& soup, std::string& err
   // Halved before they are added: the sum of two large coordinates may overflow.
   this->geometry.origin = nearestGridPoint(0.5 * lower + 0.5 * upper, upper - lower);
   const glm::dvec3 reach = glm::max(upper - this->geometry.origin, this->geometry.origin - lower);
-  if (!isFinite(glm::dvec3(glm::vec3(reach))))
+  // Not by a conversion to float and back: GCC 12 takes two of these, vectorised, for nothing.
+  constexpr double farthest = std::numeric_limits<float>::max();
+  if (!(std::max({reach.x, reach.y, reach.z}) <= farthest))
   {
     error = "the mesh is larger than single precision can hold";
     return false;

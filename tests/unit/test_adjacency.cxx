@@ -191,6 +191,15 @@ TEST(Adjacency, UnusableInput_IsRefusedWithOneLine)
   EXPECT_NE(errorOf(flat), "");
   TriangleSoup huge = makeCube(glm::dvec3(0.0), 1e39);
   EXPECT_NE(errorOf(huge), "");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    TriangleSoup wide = makeCube();
+    for (glm::dvec3& point : wide.points)
+    {
+      point[axis] *= 1e39;
+    }
+    EXPECT_NE(errorOf(wide), "") << "axis " << axis;
+  }
 }
 
 TEST(Adjacency, LargeOffsetsAndScales_KeepTheShape)
