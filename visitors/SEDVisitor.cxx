@@ -66,7 +66,9 @@ void SEDVisitor::apply(SEDGeode& geode)
   {
     PathLightState& state = path.lights[light.index];
     const bool wanted = state.faced && state.plan.count != StencilCount::Skip;
-    if (wanted && !(state.extruded && state.extrudedPlan.hasFacesOf(state.plan)))
+    const bool upToDate =
+        state.extruded && state.finderId == this->finder.getId() && state.extrudedPlan.hasFacesOf(state.plan);
+    if (wanted && !upToDate)
     {
       this->refreshVolume(geode.getGeometry(), state);
     }
@@ -128,6 +130,7 @@ void SEDVisitor::refreshVolume(const SEDGeometry& geometry, PathLightState& stat
   state.volumes = makeCountableVolumes(geometry, this->finder, state.facing, state.lightMC, options);
   state.extruded = true;
   state.extrudedPlan = state.plan;
+  state.finderId = this->finder.getId();
   state.revision = nextRevision();
   ++this->rebuiltVolumes;
 }

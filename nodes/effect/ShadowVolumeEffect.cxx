@@ -60,8 +60,8 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   }
 
   Stopwatch stage;
-  const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
-  this->face(view, lights, settings, *finder);
+  this->chooseFinder(settings);
+  this->face(view, lights, settings);
   this->statistics.silhouetteMilliseconds = stage.getMilliseconds();
 
   stage = {};
@@ -72,7 +72,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   stage = {};
   // The GL starts on the pre-pass while silhouettes are found.
   glFlush();
-  SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder);
+  SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *this->finder);
   this->accept(extruder);
   this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
   this->statistics.silhouetteMilliseconds += stage.getMilliseconds();
@@ -92,8 +92,18 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   return drawn;
 }
 
-void ShadowVolumeEffect::face(const View& view, const std::vector<Light>& lights, const Settings& settings,
-                              const SilhouetteFinder& finder)
+void ShadowVolumeEffect::chooseFinder(const Settings& settings)
+{
+  if (this->finder == nullptr || this->finderMethod != settings.silhouetteMethod ||
+      this->finderTolerance != settings.coplanarTolerance)
+  {
+    this->finder = makeSilhouetteFinder(settings.silhouetteMethod, settings.coplanarTolerance);
+    this->finderMethod = settings.silhouetteMethod;
+    this->finderTolerance = settings.coplanarTolerance;
+  }
+}
+
+void ShadowVolumeEffect::face(const View& view, const std::vector<Light>& lights, const Settings& settings)
 {
   SceneBoundsVisitor boundsVisitor(view);
   this->accept(boundsVisitor);
@@ -101,7 +111,7 @@ void ShadowVolumeEffect::face(const View& view, const std::vector<Light>& lights
   this->chooseDepthRange(view, bounds);
   CasterCuller culler(view, lights, bounds, settings.stencilMethod);
   this->accept(culler);
-  SEDVisitor facer(SEDVisitor::Stage::Face, lights, finder);
+  SEDVisitor facer(SEDVisitor::Stage::Face, lights, *this->finder);
   this->accept(facer);
   this->statistics.casters = culler.getCasters();
   this->statistics.zFailCasters = culler.getZFailCasters();

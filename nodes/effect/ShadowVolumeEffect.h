@@ -39,6 +39,7 @@ public:
   {
     StencilMethod stencilMethod = StencilMethod::Auto;
     SilhouetteMethod silhouetteMethod = SilhouetteMethod::BruteForce;
+    double coplanarTolerance = 0.0; ///< degrees, see makeSilhouetteFinder()
     int samples = 1;
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
@@ -76,13 +77,16 @@ public:
   std::size_t getGraphicsMemorySize() const;
 
 private:
-  void face(const View& view, const std::vector<Light>& lights, const Settings& settings,
-            const SilhouetteFinder& finder);
+  void chooseFinder(const Settings& settings);
+  void face(const View& view, const std::vector<Light>& lights, const Settings& settings);
   DrawVisitor::Pass makeDrawPass(vtkOpenGLState* state, vtkShaderProgram* program, const View& view);
   bool drawPrePass(vtkOpenGLRenderWindow* window, const View& view);
   bool drawVolumes(vtkOpenGLRenderWindow* window, const View& view, const Light& light);
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
 
+  std::unique_ptr<SilhouetteFinder> finder; ///< kept while its settings are, and volumes with it
+  SilhouetteMethod finderMethod = SilhouetteMethod::BruteForce;
+  double finderTolerance = 0.0;
   Capabilities capabilities;
   bool capabilitiesKnown = false;
   StencilTarget target;

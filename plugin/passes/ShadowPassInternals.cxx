@@ -118,6 +118,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
   shadow::ShadowVolumeEffect::Settings settings;
   settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
   settings.silhouetteMethod = static_cast<shadow::SilhouetteMethod>(self->SilhouetteMethod);
+  settings.coplanarTolerance = self->CoplanarTolerance;
   settings.samples = self->Samples;
   settings.waitAfterStages = self->MeasureStages;
   std::string error;

@@ -32,6 +32,7 @@ void vtkShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "StencilMethod: " << this->StencilMethod << "\n";
   os << indent << "SilhouetteMethod: " << this->SilhouetteMethod << "\n";
+  os << indent << "CoplanarTolerance: " << this->CoplanarTolerance << "\n";
   os << indent << "Compositing: " << this->Compositing << "\n";
   os << indent << "Scope: " << this->Scope << "\n";
   os << indent << "Samples: " << this->Samples << "\n";

@@ -44,7 +44,8 @@ int refresh(Group& root, const View& view, const std::vector<Light>& lights)
   root.accept(bounds);
   CasterCuller culler(view, lights, bounds.getBounds(), StencilMethod::ZFail);
   root.accept(culler);
-  const auto finder = makeSilhouetteFinder(SilhouetteMethod::BruteForce);
+  // One for all renderings, as an effect has: volumes are kept for the finder they were built with.
+  static const auto finder = makeSilhouetteFinder(SilhouetteMethod::BruteForce);
   SEDVisitor facer(SEDVisitor::Stage::Face, lights, *finder);
   root.accept(facer);
   SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder);
