@@ -8,7 +8,7 @@ namespace shadow
 namespace
 {
 
-constexpr unsigned firstBits = 10;
+constexpr unsigned firstBits = 6;
 
 } // namespace
 

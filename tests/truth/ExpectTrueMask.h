@@ -39,18 +39,35 @@ inline void expectTrueMask(ShadowScene& scene, const SceneTruth& truth, const st
                                                std::to_string(error.firstWrongPixels.front().y));
 }
 
-/// Expects a light's mask to be true by each of the three stencil methods.
-inline void expectTrueMaskByEveryStencilMethod(ShadowScene& scene, int light = 0)
+/// Expects a light's mask to be true by each of the three stencil methods, and by every silhouette method.
+inline void expectTrueMaskByEveryMethod(ShadowScene& scene, int light = 0)
 {
   scene.window->Render();
   const SceneTruth truth = scene.makeTruth(light);
+  const auto expectTrue = [&](const std::string& what)
+  {
+    expectTrueMask(scene, truth, what, light);
+    EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK) << scene.pass->GetStatusMessage();
+  };
   for (const int method : {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL,
                            vtkShadowVolumePass::STENCIL_AUTO})
   {
     scene.pass->SetStencilMethod(method);
-    expectTrueMask(scene, truth, nameOfStencilMethod(method), light);
-    EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK) << scene.pass->GetStatusMessage();
+    expectTrue(nameOfStencilMethod(method));
   }
+  // All of them find the same edges, so that one stencil method is enough to see that they are drawn.
+  const int first = scene.pass->GetSilhouetteMethod();
+  for (int method = scene.pass->GetSilhouetteMethodMinValue();
+       method <= scene.pass->GetSilhouetteMethodMaxValue(); ++method)
+  {
+    if (method != first)
+    {
+      scene.pass->SetSilhouetteMethod(method);
+      expectTrue("Silhouette" + std::to_string(method));
+      EXPECT_GT(scene.pass->GetNumberOfRebuiltVolumes(), 0) << "volumes of another method were drawn";
+    }
+  }
+  scene.pass->SetSilhouetteMethod(first);
 }
 
 } // namespace shadow::truth

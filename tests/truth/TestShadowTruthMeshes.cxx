@@ -1,4 +1,4 @@
-// Real meshes on a floor, held against the truth by every stencil method.
+// Real meshes on a floor, held against the truth by every method.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -80,7 +80,7 @@ class MeshTruth : public testing::TestWithParam<MeshView>
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MeshTruth);
 
-TEST_P(MeshTruth, OnAFloor_EveryStencilMethodIsRight)
+TEST_P(MeshTruth, OnAFloor_EveryMethodIsRight)
 {
   const auto& [file, size, kind] = GetParam();
   ShadowScene scene(size[0], size[1]);
@@ -91,7 +91,7 @@ TEST_P(MeshTruth, OnAFloor_EveryStencilMethodIsRight)
   scene.lookFrom(0.4, 0.5, 1.0, 1.9);
   scene.addFloor();
   scene.renderer->ResetCameraClippingRange();
-  expectTrueMaskByEveryStencilMethod(scene);
+  expectTrueMaskByEveryMethod(scene);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshTruth,

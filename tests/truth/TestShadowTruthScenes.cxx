@@ -116,14 +116,14 @@ class SceneMasks : public testing::TestWithParam<LightCase>
 {
 };
 
-TEST_P(SceneMasks, CameraOutsideShadows_EveryStencilMethodIsRight)
+TEST_P(SceneMasks, CameraOutsideShadows_EveryMethodIsRight)
 {
   Solids scene;
   GetParam().addLights(scene);
   for (int light = 0; light < GetParam().lights; ++light)
   {
     SCOPED_TRACE("light " + std::to_string(light));
-    expectTrueMaskByEveryStencilMethod(scene, light);
+    expectTrueMaskByEveryMethod(scene, light);
   }
 }
 
