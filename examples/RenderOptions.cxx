@@ -43,7 +43,7 @@ void declare(CLI::App& app, RenderOptions& options, Texts& texts)
       ->type_name("auto|zpass|zfail")
       ->default_str("auto");
   app.add_option("--silhouette", texts.silhouette, "how silhouettes are found")
-      ->type_name("brute-force")
+      ->type_name("brute-force|edge-buffer|triangular|visible-nonvisible|hybrid")
       ->default_str("brute-force");
   app.add_option("--compositing", texts.compositing, "how light and shadow are put together")
       ->type_name("mask|additive")
@@ -151,7 +151,8 @@ const std::vector<std::string>& stencilNames()
 
 const std::vector<std::string>& silhouetteNames()
 {
-  static const std::vector<std::string> names = {"brute-force"};
+  static const std::vector<std::string> names = {"brute-force", "edge-buffer", "triangular",
+                                                 "visible-nonvisible", "hybrid"};
   return names;
 }
 

@@ -66,9 +66,10 @@ void SEDVisitor::apply(SEDGeode& geode)
   {
     PathLightState& state = path.lights[light.index];
     const bool wanted = state.faced && state.plan.count != StencilCount::Skip;
-    const bool kept = state.extruded && state.extrudedPlan.hasFacesOf(state.plan) &&
-                      state.extrudedCountable == this->countable;
-    if (wanted && !kept)
+    const bool upToDate = state.extruded && state.finderId == this->finder.getId() &&
+                          state.extrudedPlan.hasFacesOf(state.plan) &&
+                          state.extrudedCountable == this->countable;
+    if (wanted && !upToDate)
     {
       this->refreshVolume(geode.getGeometry(), state);
     }
@@ -132,6 +133,7 @@ void SEDVisitor::refreshVolume(const SEDGeometry& geometry, PathLightState& stat
   state.extruded = true;
   state.extrudedPlan = state.plan;
   state.extrudedCountable = this->countable;
+  state.finderId = this->finder.getId();
   state.revision = nextRevision();
   ++this->rebuiltVolumes;
 }

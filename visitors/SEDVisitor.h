@@ -12,7 +12,7 @@ namespace shadow
 {
 
 /// Has every SEDGeode build or refresh, for each light, the facing of its triangles or its shadow volume.
-/// What belongs to an unchanged light, transform and plan is kept.
+/// What belongs to an unchanged light, transform, plan and finder is kept.
 ///
 /// Two walks, so that the GL can work on the pre-pass, which needs the facing, while the CPU finds
 /// silhouettes.

@@ -95,6 +95,17 @@ bool ShadowVolumeEffect::drawStages(const Frame& frame, std::string& error)
   return drawn;
 }
 
+void ShadowVolumeEffect::chooseFinder(const Settings& settings)
+{
+  if (this->finder == nullptr || this->finderMethod != settings.silhouetteMethod ||
+      this->finderTolerance != settings.coplanarTolerance)
+  {
+    this->finder = makeSilhouetteFinder(settings.silhouetteMethod, settings.coplanarTolerance);
+    this->finderMethod = settings.silhouetteMethod;
+    this->finderTolerance = settings.coplanarTolerance;
+  }
+}
+
 void ShadowVolumeEffect::cull(const Frame& frame)
 {
   SceneBoundsVisitor boundsVisitor(frame.view);
@@ -110,7 +121,7 @@ void ShadowVolumeEffect::cull(const Frame& frame)
 
 bool ShadowVolumeEffect::findFacing(const Frame& frame, std::string& /*error*/)
 {
-  this->finder = makeSilhouetteFinder(frame.settings.silhouetteMethod);
+  this->chooseFinder(frame.settings);
   SEDVisitor facer(SEDVisitor::Stage::Face, frame.lights, *this->finder);
   this->accept(facer);
   return true;

@@ -41,6 +41,7 @@ public:
     StencilMethod stencilMethod = StencilMethod::Auto;
     SilhouetteMethod silhouetteMethod = SilhouetteMethod::BruteForce;
     CountBuffer countBuffer = CountBuffer::Auto;
+    double coplanarTolerance = 0.0; ///< degrees, see makeSilhouetteFinder()
     int samples = 1;
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
@@ -115,14 +116,17 @@ protected:
 
 private:
   void cull(const Frame& frame);
+  void chooseFinder(const Settings& settings);
   DrawVisitor::Pass makeDrawPass(vtkShaderProgram* program, const Frame& frame);
   bool drawStages(const Frame& frame, std::string& error);
   bool drawPrePass(const Frame& frame, std::string& error);
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
 
+  std::unique_ptr<SilhouetteFinder> finder; ///< kept while its settings are, and volumes with it
+  SilhouetteMethod finderMethod = SilhouetteMethod::BruteForce;
+  double finderTolerance = 0.0;
   Capabilities capabilities;
   bool capabilitiesKnown = false;
-  std::unique_ptr<SilhouetteFinder> finder; ///< of the coming frame
   ShadowTarget target;
   CountBuffer countBuffer = CountBuffer::Stencil; ///< of the coming frame
   DrawableCache drawables;

@@ -4,7 +4,6 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
-#include "BruteForceSilhouette.h"
 #include "EdgeQuadSilhouette.h"
 #include "FacingTexture.h"
 #include "GPUSilhouetteVisitor.h"
@@ -113,7 +112,7 @@ bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& err
   this->changeStatistics().readBackMilliseconds = this->readBack->getReadBackTimes().getSum();
   ReadFacingVisitor read(*this->readBack, frame.lights);
   this->accept(read);
-  this->extrude(frame, BruteForceSilhouette());
+  this->extrude(frame, this->edgeClassifier);
   return true;
 }
 

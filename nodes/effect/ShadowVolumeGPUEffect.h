@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "BruteForceSilhouette.h"
 #include "GPUSilhouette.h"
 #include "ShadowVolumeEffect.h"
 #include "VETCollector.h"
@@ -46,7 +47,8 @@ protected:
 private:
   SilhouetteMethod name;
   std::unique_ptr<GPUSilhouette> method;
-  FacingTexture* readBack = nullptr; ///< the method, when the CPU classifies the edges
+  FacingTexture* readBack = nullptr;   ///< the method, when the CPU classifies the edges
+  BruteForceSilhouette edgeClassifier; ///< for readBack
   VETCollector collector;
 };
 

@@ -101,4 +101,23 @@ int exactOrientation(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
   return determinant.getSign();
 }
 
+int orientation(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::dvec4& lightMC)
+{
+  const glm::dvec3 corner(a);
+  const glm::dvec3 u = glm::dvec3(b) - corner;
+  const glm::dvec3 v = glm::dvec3(c) - corner;
+  const glm::dvec3 arm = glm::dvec3(lightMC) - lightMC.w * corner;
+  const glm::dvec3 products = glm::abs(glm::dvec3(u.y * v.z, u.z * v.x, u.x * v.y)) +
+                              glm::abs(glm::dvec3(u.z * v.y, u.x * v.z, u.y * v.x));
+  const double value = glm::dot(glm::cross(u, v), arm);
+  // With eps = 2^-53: 4 eps from the cross product, 2 from the arm, 3 from the dot product; 12 leaves room.
+  const double bound =
+      12.0 * 0x1p-53 * glm::dot(products, glm::abs(glm::dvec3(lightMC)) + glm::abs(lightMC.w * corner));
+  if (std::abs(value) > bound)
+  {
+    return value > 0.0 ? 1 : -1;
+  }
+  return exactOrientation(a, b, c, lightMC);
+}
+
 } // namespace shadow

@@ -33,28 +33,14 @@ bool isInsideBox(const SEDGeometry& geometry, const glm::dvec3& lightMC)
   return true;
 }
 
-/// Sign of a plane's value at the light from the corners: the second, sharper filter, then exact arithmetic.
+/// Sign of a plane's value at the light from the corners.
 ///
 /// @return  for the raster order of the triangle
 int resolve(const SEDGeometry& geometry, std::uint32_t triangle, const glm::dvec4& lightMC)
 {
   const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[triangle];
   const std::vector<glm::vec3>& positions = geometry.getPositions();
-  const glm::dvec3 a(positions[corners[0]]);
-  const glm::dvec3 u = glm::dvec3(positions[corners[1]]) - a;
-  const glm::dvec3 v = glm::dvec3(positions[corners[2]]) - a;
-  const glm::dvec3 arm = glm::dvec3(lightMC) - lightMC.w * a;
-  const glm::dvec3 products = glm::abs(glm::dvec3(u.y * v.z, u.z * v.x, u.x * v.y)) +
-                              glm::abs(glm::dvec3(u.z * v.y, u.x * v.z, u.y * v.x));
-  const double value = glm::dot(glm::cross(u, v), arm);
-  // With eps = 2^-53: 4 eps from the cross product, 2 from the arm, 3 from the dot product; 12 leaves room.
-  const double bound =
-      12.0 * 0x1p-53 * glm::dot(products, glm::abs(glm::dvec3(lightMC)) + glm::abs(lightMC.w * a));
-  if (std::abs(value) > bound)
-  {
-    return value > 0.0 ? 1 : -1;
-  }
-  return exactOrientation(positions[corners[0]], positions[corners[1]], positions[corners[2]], lightMC);
+  return orientation(positions[corners[0]], positions[corners[1]], positions[corners[2]], lightMC);
 }
 
 /// Evaluates the planes of one word of triangles. Kept apart from the decisions, so that compilers vectorise

@@ -18,7 +18,7 @@ std::size_t SEDGeometry::getMemorySize() const
 {
   return bytesOf(this->positions) + bytesOf(this->triangles) + bytesOf(this->reversed.getWords()) +
          bytesOf(this->inputReversed.getWords()) + bytesOf(this->planes) + bytesOf(this->planeErrors) +
-         bytesOf(this->edges);
+         bytesOf(this->edges) + this->prepared->getMemorySize();
 }
 
 } // namespace shadow

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include "FacingBits.h"
+#include "PreparedData.h"
 
 namespace shadow
 {
@@ -120,7 +122,10 @@ public:
 
   const SEDGeometryReport& getReport() const { return this->report; }
 
-  /// Bytes held by the arrays.
+  /// What silhouette methods have prepared from this mesh; lives as long as the mesh, and its copies, do.
+  PreparedData& getPreparedData() const { return *this->prepared; }
+
+  /// Bytes held by the arrays and by what was prepared from them.
   std::size_t getMemorySize() const;
 
 private:
@@ -137,6 +142,7 @@ private:
   glm::dvec3 lowerBound{std::numeric_limits<double>::max()};
   glm::dvec3 upperBound{std::numeric_limits<double>::lowest()};
   std::optional<glm::dvec4> commonPlane;
+  std::shared_ptr<PreparedData> prepared = std::make_shared<PreparedData>();
   SEDGeometryReport report;
 };
 

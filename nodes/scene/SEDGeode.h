@@ -50,11 +50,12 @@ struct CasterPlan
 /// Everything a geode keeps for one path and one light.
 struct PathLightState
 {
-  glm::dvec4 lightMC{0.0}; ///< relative to the geometry's origin; what facing and volume were built for
-  bool faced = false;      ///< facing belongs to lightMC
-  bool extruded = false;   ///< volumes belong to lightMC and plan
-  CasterPlan plan;         ///< for the coming draw
-  CasterPlan extrudedPlan; ///< what volumes were built for
+  glm::dvec4 lightMC{0.0};    ///< relative to the geometry's origin; what facing and volume were built for
+  bool faced = false;         ///< facing belongs to lightMC
+  bool extruded = false;      ///< volumes belong to lightMC and plan
+  CasterPlan plan;            ///< for the coming draw
+  CasterPlan extrudedPlan;    ///< what volumes were built for
+  std::uint64_t finderId = 0; ///< SilhouetteFinder::getId() of whose silhouettes volumes were built from
   LightFacing facing;
   std::size_t extrudedCountable = 0; ///< see ShadowVolumeOptions::countable; what volumes were built for
   std::vector<ShadowVolume> volumes; ///< one; more when a ray could enter it more often than can be counted

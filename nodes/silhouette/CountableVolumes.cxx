@@ -1,6 +1,7 @@
 #include "CountableVolumes.h"
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace shadow
@@ -72,9 +73,11 @@ private:
 } // namespace
 
 std::vector<ShadowVolume> makeCountableVolumes(const SEDGeometry& geometry, const SilhouetteFinder& finder,
-                                               const LightFacing& facing, const glm::dvec4& lightMC,
+                                               const LightFacing& exactFacing, const glm::dvec4& lightMC,
                                                const ShadowVolumeOptions& options)
 {
+  const std::optional<LightFacing> simplified = finder.simplifyFacing(geometry, exactFacing);
+  const LightFacing& facing = simplified ? *simplified : exactFacing;
   const Casting casting = chooseCasting(geometry, lightMC);
   const std::vector<SilhouetteEdge> silhouette = finder.find(geometry, facing, casting);
   std::vector<ShadowVolume> volumes;

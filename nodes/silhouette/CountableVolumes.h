@@ -17,10 +17,11 @@ namespace shadow
 ///
 /// Where it takes more, the triangles are divided in halves, each with a silhouette of its own.
 ///
+/// @param exactFacing  of computeFacing(); the finder may simplify it
 /// @param lightMC  relative to the geometry's origin; w = 0: direction towards the light
 /// @par Cost  O(triangles) for the silhouette; each division adds as much
 std::vector<ShadowVolume> makeCountableVolumes(const SEDGeometry& geometry, const SilhouetteFinder& finder,
-                                               const LightFacing& facing, const glm::dvec4& lightMC,
+                                               const LightFacing& exactFacing, const glm::dvec4& lightMC,
                                                const ShadowVolumeOptions& options);
 
 } // namespace shadow

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,11 @@ namespace shadow
 /// The silhouette methods a user can choose from.
 enum class SilhouetteMethod
 {
-  BruteForce = 0, ///< facing of every triangle, then every edge (Shi 2006, chapter 3.2)
+  BruteForce = 0,    ///< facing of every triangle, then every edge (Shi 2006, chapter 3.2)
+  EdgeBuffer,        ///< triangles flip bits at their edges (Buchanan & Sousa 2000)
+  Triangular,        ///< TA: directed edges that cancel (Kolivand & Sunar 2011)
+  VisibleNonVisible, ///< VnV: edges with one neighbour that faces the light (Kolivand & Sunar 2011)
+  Hybrid,            ///< HSD: TA on polygons merged from coplanar triangles (Kolivand & Sunar 2011)
   // On the GPU, see nodes/drawable:
   FacingTexture,         ///< facing drawn into a texture and read back (Shi 2006, chapter 3.3)
   FacingTextureResident, ///< the same without reading it back
@@ -29,7 +35,13 @@ inline bool isOnGPU(SilhouetteMethod method)
 class SilhouetteFinder
 {
 public:
+  SilhouetteFinder();
   virtual ~SilhouetteFinder() = default;
+  SilhouetteFinder(const SilhouetteFinder&) = delete;
+  SilhouetteFinder& operator=(const SilhouetteFinder&) = delete;
+
+  /// Tells finders apart, also from those that are gone: what was found by another one may be different.
+  std::uint64_t getId() const { return this->id; }
 
   /// Directed edges that bound the casting triangles, wound as these wind them.
   ///
@@ -46,12 +58,24 @@ public:
   ///        from one another count as one
   virtual std::vector<SilhouetteEdge> find(const SEDGeometry& geometry, const LightFacing& facing,
                                            Casting casting) const = 0;
+
+  /// The facing that silhouette and caps are to be made from, where a method simplifies it. Nothing: that of
+  /// computeFacing(), as with every method that gives the exact silhouette.
+  virtual std::optional<LightFacing> simplifyFacing(const SEDGeometry& geometry,
+                                                    const LightFacing& facing) const;
+
+private:
+  std::uint64_t id;
 };
 
-/// The method's name on a command line: "brute-force".
+/// The method's name on a command line: brute-force, edge-buffer, triangular, visible-nonvisible, hybrid.
 std::string toString(SilhouetteMethod method);
 
-/// A finder for the method.
-std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method);
+/// A finder for the method. What it prepares from a geometry is kept with the geometry, see
+/// SEDGeometry::getPreparedData().
+///
+/// @param coplanarTolerance  degrees, for SilhouetteMethod::Hybrid: see HybridSilhouette
+std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method,
+                                                       double coplanarTolerance = 0.0);
 
 } // namespace shadow

@@ -142,6 +142,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
   settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
   settings.silhouetteMethod = static_cast<shadow::SilhouetteMethod>(self->SilhouetteMethod);
   settings.countBuffer = static_cast<shadow::CountBuffer>(self->CountBuffer);
+  settings.coplanarTolerance = self->CoplanarTolerance;
   settings.samples = self->Samples;
   settings.waitAfterStages = self->MeasureStages;
   std::string error;

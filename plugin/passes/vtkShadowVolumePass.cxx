@@ -33,6 +33,7 @@ void vtkShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StencilMethod: " << this->StencilMethod << "\n";
   os << indent << "CountBuffer: " << this->CountBuffer << "\n";
   os << indent << "SilhouetteMethod: " << this->SilhouetteMethod << "\n";
+  os << indent << "CoplanarTolerance: " << this->CoplanarTolerance << "\n";
   os << indent << "Compositing: " << this->Compositing << "\n";
   os << indent << "Scope: " << this->Scope << "\n";
   os << indent << "Samples: " << this->Samples << "\n";

@@ -90,9 +90,13 @@ public:
   enum SilhouetteMethods
   {
     SILHOUETTE_BRUTE_FORCE =
-        0, ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
-    SILHOUETTE_FACING_TEXTURE,          ///< facing drawn by the GPU into a texture and read back (Shi 2006,
-                                        ///< chapter 3.3)
+        0,                  ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+    SILHOUETTE_EDGE_BUFFER, ///< triangles flip bits at their edges (Buchanan & Sousa 2000)
+    SILHOUETTE_TRIANGULAR,  ///< TA: a set of directed edges that cancel (Kolivand & Sunar 2011)
+    SILHOUETTE_VISIBLE_NONVISIBLE, ///< VnV: edges with one neighbour facing the light (Kolivand & Sunar 2011)
+    SILHOUETTE_HYBRID,         ///< HSD: TA on polygons merged from coplanar triangles (Kolivand & Sunar 2011)
+    SILHOUETTE_FACING_TEXTURE, ///< facing drawn by the GPU into a texture and read back (Shi 2006,
+                               ///< chapter 3.3)
     SILHOUETTE_FACING_TEXTURE_RESIDENT, ///< the same without reading it back
     SILHOUETTE_VERTEX_EXTRUSION         ///< every edge a quad on the GPU (McGuire & Hughes 2004)
   };
@@ -103,6 +107,21 @@ public:
    */
   vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_VERTEX_EXTRUSION);
   vtkGetMacro(SilhouetteMethod, int);
+  void SetSilhouetteMethodToBruteForce() { this->SetSilhouetteMethod(SILHOUETTE_BRUTE_FORCE); }
+  void SetSilhouetteMethodToEdgeBuffer() { this->SetSilhouetteMethod(SILHOUETTE_EDGE_BUFFER); }
+  void SetSilhouetteMethodToTriangular() { this->SetSilhouetteMethod(SILHOUETTE_TRIANGULAR); }
+  void SetSilhouetteMethodToVisibleNonVisible() { this->SetSilhouetteMethod(SILHOUETTE_VISIBLE_NONVISIBLE); }
+  void SetSilhouetteMethodToHybrid() { this->SetSilhouetteMethod(SILHOUETTE_HYBRID); }
+  ///@}
+
+  ///@{
+  /**
+   * For SILHOUETTE_HYBRID: neighbouring triangles whose normals are within this angle, in degrees, of that of
+   * a region's first triangle count as one flat polygon. 0 (default): only those that lie exactly in one
+   * plane, and the picture is that of every other method. Above, it has wrong pixels: see the README.
+   */
+  vtkSetClampMacro(CoplanarTolerance, double, 0.0, 89.0);
+  vtkGetMacro(CoplanarTolerance, double);
   ///@}
 
   /// How light and shadow are put together.
@@ -286,6 +305,7 @@ private:
   int StencilMethod = STENCIL_AUTO;
   int CountBuffer = COUNT_AUTO;
   int SilhouetteMethod = SILHOUETTE_BRUTE_FORCE;
+  double CoplanarTolerance = 0.0;
   int Compositing = COMPOSITING_MASK;
   int Scope = SCOPE_AUTO;
   int Samples = 1;

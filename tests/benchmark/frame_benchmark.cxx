@@ -4,37 +4,25 @@
 //   bench_frame [MODEL.obj...] [--benchmark_...]   without models: built-in ones, and the meshes found beside
 //   the project
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include <vtkCameraPass.h>
 #include <vtkOBJReader.h>
 #include <vtkSphereSource.h>
 
-#include "ShadowMap.h"
-#include "ShadowScene.h"
+#include "MovingLightScene.h"
 
 namespace
 {
 
-using shadow::truth::ShadowScene;
-using Clock = std::chrono::steady_clock;
-
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
+using shadow::benchmarks::median;
+using shadow::benchmarks::MovingLightScene;
 
 vtkSmartPointer<vtkAlgorithm> makeSource(const std::string& model)
 {
@@ -52,69 +40,9 @@ vtkSmartPointer<vtkAlgorithm> makeSource(const std::string& model)
   return reader;
 }
 
-/// Model on a floor, 640 x 480, a point light above and beside it.
-class MovingLightScene
-{
-public:
-  explicit MovingLightScene(const std::string& model) : scene(640, 480)
-  {
-    vtkActor* actor = this->scene.addSource(makeSource(model));
-    std::copy_n(actor->GetBounds(), 6, this->bounds);
-    this->diagonal = actor->GetLength();
-    this->scene.addFloor();
-    this->scene.lookFrom(-0.4, 0.7, 1.0, 1.0);
-    this->light = this->scene.addPointLight(0.0, 0.0, 0.0);
-    // A shadow map knows spot lights below 90 degrees only.
-    this->light->SetConeAngle(89.0);
-    this->light->SetFocalPoint(this->centre(0), this->centre(2), this->centre(4));
-    this->moveLight();
-
-    useShadowMap(this->shadowMap);
-  }
-
-  ~MovingLightScene()
-  {
-    this->shadowMap->ReleaseGraphicsResources(this->scene.window);
-    this->scene.renderer->SetPass(nullptr);
-  }
-
-  /// Milliseconds of a frame after the light has moved.
-  double draw(vtkRenderPass* pass)
-  {
-    if (this->scene.renderer->GetPass() != pass)
-    {
-      this->scene.renderer->SetPass(pass);
-    }
-    this->moveLight();
-    const Clock::time_point start = Clock::now();
-    this->scene.window->Render();
-    this->scene.window->WaitForCompletion();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  }
-
-  ShadowScene scene;
-  vtkNew<vtkCameraPass> shadowMap;
-
-private:
-  double centre(int axis) const { return 0.5 * (this->bounds[axis] + this->bounds[axis + 1]); }
-
-  void moveLight()
-  {
-    this->angle += 0.01;
-    this->light->SetPosition(this->centre(0) + 0.6 * this->diagonal * std::cos(this->angle),
-                             this->bounds[3] + 0.8 * this->diagonal,
-                             this->centre(4) + 0.6 * this->diagonal * std::sin(this->angle));
-  }
-
-  vtkLight* light = nullptr;
-  double bounds[6] = {0, 0, 0, 0, 0, 0};
-  double diagonal = 1.0;
-  double angle = 0.0;
-};
-
 void frameAgainstShadowMap(benchmark::State& state, const std::string& model, int stencilMethod)
 {
-  MovingLightScene moving(model);
+  MovingLightScene moving(makeSource(model));
   moving.scene.pass->SetStencilMethod(stencilMethod);
   vtkRenderPass* const passes[] = {nullptr, moving.shadowMap, moving.scene.pass};
   std::vector<double> milliseconds[3];
@@ -137,7 +65,7 @@ void frameAgainstShadowMap(benchmark::State& state, const std::string& model, in
 
 void stages(benchmark::State& state, const std::string& model, int stencilMethod)
 {
-  MovingLightScene moving(model);
+  MovingLightScene moving(makeSource(model));
   vtkShadowVolumePass* pass = moving.scene.pass;
   pass->SetStencilMethod(stencilMethod);
   pass->MeasureStagesOn();
@@ -183,7 +111,7 @@ void peakMemory(benchmark::State& state, int triangles, int stencilMethod)
 {
   for (auto _ : state)
   {
-    MovingLightScene moving("sphere-" + std::to_string(triangles));
+    MovingLightScene moving(makeSource("sphere-" + std::to_string(triangles)));
     moving.scene.pass->SetStencilMethod(stencilMethod);
     moving.draw(nullptr);
     moving.draw(nullptr);

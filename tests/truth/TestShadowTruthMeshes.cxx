@@ -1,4 +1,4 @@
-// Real meshes on a floor, held against the truth by every stencil method.
+// Real meshes on a floor, held against the truth by every method.
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -70,7 +70,9 @@ class Drawing(CommandLine):
     def test_methods_give_the_same_mask(self):
         masks = []
         for i, options in enumerate((["--stencil", "zpass"], ["--stencil", "zfail"], ["--stencil", "auto"],
-                                     ["--compositing", "additive"], ["--silhouette", "brute-force"])):
+                                     ["--compositing", "additive"], ["--silhouette", "brute-force"], ["--silhouette", "edge-buffer"],
+                                     ["--silhouette", "triangular"], ["--silhouette", "visible-nonvisible"],
+                                     ["--silhouette", "hybrid"])):
             self.draw("cube.obj", "--mask", f"{i}.png", "--light", "point:-2,4,1", *options, *FROM_ABOVE)
             masks.append(self.shadow(f"{i}.png"))
         self.assertTrue(masks[0])

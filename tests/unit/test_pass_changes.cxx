@@ -46,6 +46,37 @@ TEST(PassChange, Nothing_NothingRebuilt)
   expectNothingRebuilt(scene);
 }
 
+TEST(PassChange, SilhouetteMethod_RebuiltWithTheSamePicture)
+{
+  BallScene scene;
+  const Pixels expected = scene.renderMask();
+  for (int method = scene.pass->GetSilhouetteMethodMinValue();
+       method <= scene.pass->GetSilhouetteMethodMaxValue(); ++method)
+  {
+    if (method == scene.pass->GetSilhouetteMethod())
+    {
+      continue;
+    }
+    scene.pass->SetSilhouetteMethod(method);
+    EXPECT_EQ(scene.renderMask(), expected) << "method " << method;
+    EXPECT_EQ(scene.pass->GetNumberOfRebuiltVolumes(), 1) << "method " << method;
+    expectNothingRebuilt(scene);
+  }
+}
+
+TEST(PassChange, CoplanarTolerance_IsSeenByHybridAlone)
+{
+  BallScene scene;
+  const Pixels expected = scene.renderMask();
+  scene.pass->SetCoplanarTolerance(40.0);
+  EXPECT_EQ(scene.renderMask(), expected) << "brute force has no tolerance";
+  scene.pass->SetSilhouetteMethodToHybrid();
+  EXPECT_NE(scene.renderMask(), expected);
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK);
+  scene.pass->SetCoplanarTolerance(0.0);
+  EXPECT_EQ(scene.renderMask(), expected);
+}
+
 TEST(PassChange, SourceParameterOnly_ShadowFollows)
 {
   BallScene scene;

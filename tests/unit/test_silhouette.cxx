@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ExactOrientation.h"
+#include "SilhouetteComparison.h"
 #include "SilhouetteFinder.h"
 #include "TestMeshes.h"
 #include "VolumeOracle.h"
@@ -20,22 +21,6 @@ namespace
 std::vector<SilhouetteEdge> find(const SEDGeometry& geometry, const LightFacing& facing, Casting casting)
 {
   return makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
-}
-
-/// Facing as no light would give it: each triangle towards, away or (one in eight, if wanted) neither.
-LightFacing makeRandomFacing(std::size_t triangles, std::mt19937& random, bool withNeither)
-{
-  LightFacing facing;
-  facing.towards.assign(triangles);
-  facing.away.assign(triangles);
-  for (std::size_t t = 0; t < triangles; ++t)
-  {
-    if (!withNeither || random() % 8 != 0)
-    {
-      (random() & 1u ? facing.towards : facing.away).set(t);
-    }
-  }
-  return facing;
 }
 
 void expectBalanced(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette)
@@ -167,12 +152,6 @@ TEST(Silhouette, Cube_HasSixEdgesSeenFromACorner)
   const LightFacing facing = computeFacing(geometry, glm::dvec4(3, 4, 5, 1));
   EXPECT_EQ(find(geometry, facing, Casting::LightFacing).size(), 6u);
   EXPECT_EQ(facing.towards.countSet(), 6u);
-}
-
-TEST(Silhouette, Methods_HaveNames)
-{
-  EXPECT_EQ(toString(SilhouetteMethod::BruteForce), "brute-force");
-  EXPECT_NE(makeSilhouetteFinder(SilhouetteMethod::BruteForce), nullptr);
 }
 
 } // namespace shadow::test

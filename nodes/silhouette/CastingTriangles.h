@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "FacingBits.h"
+#include "SEDGeometry.h"
+#include "ShadowVolume.h"
+
+namespace shadow
+{
+
+/// Calls visit(triangle) for every bit that is set.
+///
+/// @param among  only triangles whose bit is set here as well; null: all
+/// @par Cost  O(triangles / 64 + set bits)
+template <class Visit>
+void forEachTriangle(const FacingBits& bits, const FacingBits* among, Visit&& visit)
+{
+  for (std::size_t word = 0; word < bits.getWords().size(); ++word)
+  {
+    std::uint64_t left = bits.getWords()[word];
+    left &= among != nullptr ? among->getWords()[word] : ~std::uint64_t{0};
+    for (; left != 0; left &= left - 1)
+    {
+      visit(static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(__builtin_ctzll(left)));
+    }
+  }
+}
+
+/// Corners of a triangle, counter-clockwise seen from its front.
+///
+/// @param turned  seen from its back instead
+inline std::array<std::uint32_t, 3> getTurnedCorners(const SEDGeometry& geometry, std::uint32_t triangle,
+                                                     bool turned)
+{
+  std::array<std::uint32_t, 3> corners = geometry.getTriangles()[triangle];
+  if (geometry.getReversed().test(triangle) != turned)
+  {
+    std::swap(corners[1], corners[2]);
+  }
+  return corners;
+}
+
+/// Calls visit(a, b, c) with the corners of every casting triangle, counter-clockwise seen from the light.
+///
+/// @param among  only these triangles; null: all
+template <class Visit>
+void forEachCastingTriangle(const SEDGeometry& geometry, const LightFacing& facing, Casting casting,
+                            const FacingBits* among, Visit&& visit)
+{
+  const auto visitTurned = [&](std::uint32_t triangle, bool turned)
+  {
+    const auto [a, b, c] = getTurnedCorners(geometry, triangle, turned);
+    visit(a, b, c);
+  };
+  forEachTriangle(facing.towards, among, [&](std::uint32_t triangle) { visitTurned(triangle, false); });
+  if (casting == Casting::EveryTriangle)
+  {
+    forEachTriangle(facing.away, among, [&](std::uint32_t triangle) { visitTurned(triangle, true); });
+  }
+}
+
+} // namespace shadow

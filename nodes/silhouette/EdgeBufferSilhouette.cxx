@@ -1,0 +1,89 @@
+#include "EdgeBufferSilhouette.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "CastingTriangles.h"
+#include "TriangleSides.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+/// Bits of an entry. Each of F and B is followed by the direction of the triangle that it is left over from:
+/// set for one that runs through the edge backwards.
+enum : std::uint8_t
+{
+  frontBit = 1,
+  frontBackwards = 2,
+  backBit = 4,
+  backBackwards = 8
+};
+
+/// How often more an edge is run through forwards than backwards, for each value of its entry, when averted
+/// triangles are turned over.
+std::array<int, 16> makeRuns()
+{
+  std::array<int, 16> runs{};
+  for (unsigned entry = 0; entry < runs.size(); ++entry)
+  {
+    const int front = (entry & frontBit) == 0 ? 0 : (entry & frontBackwards) == 0 ? 1 : -1;
+    const int back = (entry & backBit) == 0 ? 0 : (entry & backBackwards) == 0 ? -1 : 1;
+    runs[entry] = front + back;
+  }
+  return runs;
+}
+
+std::vector<std::uint8_t> fillBuffer(const SEDGeometry& geometry, const LightFacing& facing, Casting casting)
+{
+  const auto sides =
+      geometry.getPreparedData().get<TriangleSides>(0.0, [&geometry] { return TriangleSides(geometry); });
+  std::vector<std::uint8_t> buffer(geometry.getEdges().size(), 0);
+  const auto flip = [&buffer, &sides](std::uint32_t triangle, unsigned bit)
+  {
+    for (const std::uint32_t side : (*sides)[triangle])
+    {
+      buffer[side >> 1] ^= static_cast<std::uint8_t>(bit | (side & 1u ? bit << 1 : 0u));
+    }
+  };
+  forEachTriangle(facing.towards, nullptr, [&flip](std::uint32_t triangle) { flip(triangle, frontBit); });
+  if (casting == Casting::EveryTriangle)
+  {
+    forEachTriangle(facing.away, nullptr, [&flip](std::uint32_t triangle) { flip(triangle, backBit); });
+  }
+  return buffer;
+}
+
+} // namespace
+
+std::vector<SilhouetteEdge> EdgeBufferSilhouette::find(const SEDGeometry& geometry, const LightFacing& facing,
+                                                       Casting casting) const
+{
+  static const std::array<int, 16> runsOf = makeRuns();
+  const std::vector<std::uint8_t> buffer = fillBuffer(geometry, facing, casting);
+  const std::vector<Edge>& edges = geometry.getEdges();
+  std::vector<SilhouetteEdge> silhouette;
+  for (std::size_t edge = 0; edge < buffer.size(); ++edge)
+  {
+    if ((buffer[edge] & (frontBit | backBit)) == 0)
+    {
+      continue;
+    }
+    const std::array<std::uint32_t, 2>& vertices = edges[edge].vertices;
+    const int runs = runsOf[buffer[edge]];
+    if (runs > 0)
+    {
+      silhouette.push_back({vertices[0], vertices[1], static_cast<std::uint32_t>(runs)});
+    }
+    else if (runs < 0)
+    {
+      silhouette.push_back({vertices[1], vertices[0], static_cast<std::uint32_t>(-runs)});
+    }
+  }
+  return silhouette;
+}
+
+} // namespace shadow
