@@ -15,6 +15,11 @@ bool FacingTexture::begin(const Frame& theFrame, std::string& error)
   {
     return false;
   }
+  this->drawnNow = !theFrame.unchanged || this->camera.getTexels().getTexture() == 0;
+  if (!this->drawnNow)
+  {
+    return true;
+  }
   this->triangles.upload(*theFrame.collection);
   return this->triangles.getSize() == 0 ||
          this->camera.draw(theFrame.window, this->triangles, *theFrame.lights, error);

@@ -18,6 +18,9 @@ public:
   bool needsCollection() const override { return true; }
   bool begin(const Frame& theFrame, std::string& error) override;
 
+  /// Whether begin() has drawn the texture, and not found it as it has to be.
+  bool isNew() const { return this->drawnNow; }
+
   /// Asks for a copy of the texture in main memory.
   void startReadBack() { this->camera.startReadBack(this->getFrame().window); }
 
@@ -41,6 +44,7 @@ protected:
 private:
   TriangleDrawable triangles;
   SilhouetteCamera camera;
+  bool drawnNow = false;
 };
 
 } // namespace shadow

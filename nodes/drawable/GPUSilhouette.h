@@ -40,6 +40,7 @@ public:
     const std::vector<Light>* lights = nullptr;
     const View* view = nullptr;
     const VETCollection* collection = nullptr; ///< for a method that needsCollection()
+    bool unchanged = false;                    ///< collection and lights are those of the frame before
     DrawableCache* drawables = nullptr;
     glm::dmat4 clipFromWC{1.0}; ///< with the depth row of the shadow stages
     bool reversedDepth = true;  ///< see DepthRange

@@ -61,7 +61,8 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
   {
     try
     {
-      this->collector.collect(*this);
+      const VETCollector::Change change = this->collector.collect(*this);
+      gpuFrame.unchanged = change == VETCollector::Change::Nothing && frame.lights == this->lightsBefore;
     }
     catch (const std::length_error& tooLarge)
     {
@@ -69,6 +70,7 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
       return false;
     }
     gpuFrame.collection = &this->collector.getCollection();
+    this->lightsBefore = frame.lights;
   }
   if (!this->method->begin(gpuFrame, error))
   {
@@ -82,7 +84,8 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
   {
     glFinish();
   }
-  if (error.empty() && this->readBack != nullptr)
+  this->reading = error.empty() && this->readBack != nullptr && this->readBack->isNew();
+  if (this->reading)
   {
     this->readBack->startReadBack();
   }
@@ -104,14 +107,17 @@ bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& err
   {
     return true;
   }
-  if (!this->readBack->fetch())
+  if (this->reading)
   {
-    error = "the GL lost the facing texture while it was read back";
-    return false;
+    if (!this->readBack->fetch())
+    {
+      error = "the GL lost the facing texture while it was read back";
+      return false;
+    }
+    this->changeStatistics().readBackMilliseconds = this->readBack->getReadBackTimes().getSum();
+    ReadFacingVisitor read(*this->readBack, frame.lights);
+    this->accept(read);
   }
-  this->changeStatistics().readBackMilliseconds = this->readBack->getReadBackTimes().getSum();
-  ReadFacingVisitor read(*this->readBack, frame.lights);
-  this->accept(read);
   this->extrude(frame, this->edgeClassifier);
   return true;
 }
@@ -146,6 +152,7 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
 
 void ShadowVolumeGPUEffect::release(bool contextLost)
 {
+  this->lightsBefore.clear();
   this->method->release(contextLost);
   this->ShadowVolumeEffect::release(contextLost);
 }

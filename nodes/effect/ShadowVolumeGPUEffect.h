@@ -50,6 +50,8 @@ private:
   FacingTexture* readBack = nullptr;   ///< the method, when the CPU classifies the edges
   BruteForceSilhouette edgeClassifier; ///< for readBack
   VETCollector collector;
+  std::vector<Light> lightsBefore; ///< of the frame before
+  bool reading = false;            ///< the coming frame's facing is being read back
 };
 
 } // namespace shadow

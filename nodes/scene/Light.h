@@ -13,6 +13,11 @@ struct Light
 {
   int index = 0;              ///< bit in the shadow mask: place among the lights that are switched on
   glm::dvec4 positionWC{0.0}; ///< w = 1: position; w = 0: direction towards the light, any length but zero
+
+  bool operator==(const Light& other) const
+  {
+    return this->index == other.index && this->positionWC == other.positionWC;
+  }
 };
 
 } // namespace shadow

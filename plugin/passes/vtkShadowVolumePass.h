@@ -235,7 +235,8 @@ public:
   vtkIdType GetCapTriangles() const;      ///< all lights
   vtkIdType GetLightingTriangles() const; ///< all lights; 0 for Mask
   vtkIdType GetTotalTriangles() const;    ///< ambient + sides + caps + lighting
-  vtkIdType GetSilhouetteEdges() const;   ///< all casters and lights, with multiplicity
+  vtkIdType GetSilhouetteEdges() const;   ///< all casters and lights, with multiplicity; 0 where only the GPU
+                                          ///< knows them, and sides are those of all edges
   ///@}
 
   ///@{
@@ -245,7 +246,8 @@ public:
   int GetNumberOfShadowLights() const;
   int GetNumberOfCasters() const;        ///< whose volume was drawn
   int GetNumberOfZFailCasters() const;   ///< of these, by z-fail
-  int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before
+  int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before; 0 for
+                                         ///< methods that keep volumes on the GPU
   int GetNumberOfSkippedCasters() const; ///< lines of GetSkippedCaster(): one for each caster and reason
   std::string GetSkippedCaster(int index) const; ///< "name: reason", or "" when there is no such index
   ///@}

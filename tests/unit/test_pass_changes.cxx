@@ -59,7 +59,10 @@ TEST(PassChange, SilhouetteMethod_RebuiltWithTheSamePicture)
     }
     scene.pass->SetSilhouetteMethod(method);
     EXPECT_EQ(scene.renderMask(), expected) << "method " << method;
-    EXPECT_EQ(scene.pass->GetNumberOfRebuiltVolumes(), 1) << "method " << method;
+    // Volumes that are drawn from what the GPU found are kept by nobody.
+    const bool resident = method > vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE;
+    EXPECT_EQ(scene.pass->GetNumberOfRebuiltVolumes(), resident ? 0 : 1) << "method " << method;
+    EXPECT_GT(scene.pass->GetSideTriangles(), 0) << "method " << method;
     expectNothingRebuilt(scene);
   }
 }
