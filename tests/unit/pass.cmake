@@ -28,4 +28,15 @@ if(VTKSHADOW_HEADLESS)
   vtk_module_autoinit(TARGETS test_pass MODULES
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+
+  add_executable(test_headless test_headless.cxx)
+  target_link_libraries(test_headless PRIVATE
+    shadow_ball_scene GTest::gtest_main shadow_warnings ${CMAKE_DL_LIBS})
+  vtk_module_autoinit(TARGETS test_headless MODULES VTK::RenderingOpenGL2)
+  foreach(suite_and_choice HeadlessOSMesa= HeadlessEGL=egl HeadlessUnknown=display)
+    string(REGEX MATCH "^[^=]*" suite ${suite_and_choice})
+    string(REGEX REPLACE "^[^=]*=" "" choice ${suite_and_choice})
+    gtest_discover_tests(test_headless TEST_FILTER ${suite}.* DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS unit ENVIRONMENT VTKSHADOW_HEADLESS=${choice})
+  endforeach()
 endif()
