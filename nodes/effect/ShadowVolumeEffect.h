@@ -58,6 +58,7 @@ public:
     double silhouetteMilliseconds = 0.0;
     double prePassMilliseconds = 0.0;
     double stencilMilliseconds = 0.0;
+    double readBackMilliseconds = 0.0; ///< of silhouetteMilliseconds: copying from the GPU and waiting for it
   };
 
   /// Renders the shadow mask.
