@@ -104,7 +104,7 @@ void count(vtkShadowVolumePass* pass, FigureSample& sample)
 std::vector<FigureMethod> allFigureMethods()
 {
   vtkNew<vtkShadowVolumePass> pass;
-  std::vector<FigureMethod> methods{{"no shadows"}};
+  std::vector<FigureMethod> methods{{"no-shadows"}};
   for (int i = pass->GetSilhouetteMethodMinValue(); i <= pass->GetSilhouetteMethodMaxValue(); ++i)
   {
     const std::string name = toString(static_cast<SilhouetteMethod>(i));

@@ -19,7 +19,7 @@ struct FigureMethod
   int silhouette = withoutShadows; ///< vtkShadowVolumePass::SilhouetteMethods
 };
 
-/// "no shadows", brute-force, and every other silhouette method of vtkShadowVolumePass that can be told apart
+/// no-shadows, brute-force, and every other silhouette method of vtkShadowVolumePass that can be told apart
 /// from these. Auto stands for one of the others and is none of them.
 std::vector<FigureMethod> allFigureMethods();
 
