@@ -50,7 +50,7 @@ struct Texts
   std::string lights;
   std::string rounds;
   std::string frames = "3";
-  std::string size = "640x480";
+  std::string size;
   std::string compositing = "additive";
   std::string table;
   bool quick = false;
@@ -65,12 +65,12 @@ void declare(CLI::App& app, Texts& texts)
   app.add_option("--stencil", texts.stencil, "some of zpass,zfail")->capture_default_str();
   app.add_option("--triangles", texts.triangles, "points of the figures against triangles");
   app.add_option("--lights", texts.lights, "points of the figure against lights, up to 32");
-  app.add_option("--rounds", texts.rounds, "in each of which every method has one turn (7, quick 3)");
+  app.add_option("--rounds", texts.rounds, "in each of which every method has one turn (7, quick 2)");
   app.add_option("--frames", texts.frames, "timed frames of a turn")->capture_default_str();
-  app.add_option("--size", texts.size, "window, WxH")->capture_default_str();
+  app.add_option("--size", texts.size, "window, WxH (640x480, quick 320x240)");
   app.add_option("--compositing", texts.compositing, "mask, or the papers' additive")->capture_default_str();
   app.add_option("--table", texts.table, "also write all numbers into this CSV file");
-  app.add_flag("--quick", texts.quick, "two points a figure and 3 rounds: under a minute");
+  app.add_flag("--quick", texts.quick, "two points a figure, a small window, 2 rounds: under a minute");
 }
 
 std::vector<int> parsePoints(const std::string& option, const std::string& text, int lowest, int highest)
@@ -131,12 +131,13 @@ Options understand(const Texts& texts)
   };
   options.methods = chooseMethods(texts.methods);
   options.triangles =
-      parsePoints("--triangles", orDefault(texts.triangles, "1000,2500,5000,10000,25000,50000", "1000,10000"),
+      parsePoints("--triangles", orDefault(texts.triangles, "1000,2500,5000,10000,25000,50000", "1000,5000"),
                   100, 10000000);
   options.lights = parsePoints("--lights", orDefault(texts.lights, "1,2,3,4,6,8", "1,4"), 1, 32);
-  options.effort.rounds = parseInteger("--rounds", orDefault(texts.rounds, "7", "3"), 1, 1000);
+  options.effort.rounds = parseInteger("--rounds", orDefault(texts.rounds, "7", "2"), 1, 1000);
   options.effort.frames = parseInteger("--frames", texts.frames, 1, 1000);
-  const shadow::examples::SizeOption size = shadow::examples::parseSize(texts.size);
+  const shadow::examples::SizeOption size =
+      shadow::examples::parseSize(orDefault(texts.size, "640x480", "320x240"));
   options.width = size.width;
   options.height = size.height;
   options.additive = parseChoice("--compositing", texts.compositing, {"mask", "additive"}) == 1;
