@@ -258,6 +258,7 @@ public:
    */
   double GetSceneMilliseconds() const;      ///< mirroring props, adjacency
   double GetSilhouetteMilliseconds() const; ///< facing, silhouette, volume, all lights
+  double GetReadBackMilliseconds() const;   ///< of these, copying back what a GPU found; 0 where nothing is
   double GetPrePassMilliseconds() const;
   double GetStencilMilliseconds() const;
   double GetLightingMilliseconds() const;

@@ -101,6 +101,11 @@ double vtkShadowVolumePass::GetSilhouetteMilliseconds() const
   return this->Internals->GetStatistics().silhouetteMilliseconds;
 }
 
+double vtkShadowVolumePass::GetReadBackMilliseconds() const
+{
+  return this->Internals->GetStatistics().readBackMilliseconds;
+}
+
 double vtkShadowVolumePass::GetPrePassMilliseconds() const
 {
   return this->Internals->GetStatistics().prePassMilliseconds;
