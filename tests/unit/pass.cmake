@@ -34,7 +34,6 @@ if(VTKSHADOW_HEADLESS)
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
-<<<<<<< HEAD
   # The groundwork of the GPU methods, without a pass. The benchmarks use the scene as well.
   add_library(shadow_gpu_scene STATIC GpuScene.cxx)
   target_include_directories(shadow_gpu_scene PUBLIC ${CMAKE_CURRENT_LIST_DIR})
@@ -55,7 +54,6 @@ if(VTKSHADOW_HEADLESS)
   add_test(NAME SilhouetteCamera.OnGL32 COMMAND test_gpu)
   set_tests_properties(SilhouetteCamera.OnGL32 PROPERTIES LABELS unit ENVIRONMENT
     "MESA_GL_VERSION_OVERRIDE=3.2;MESA_GLSL_VERSION_OVERRIDE=150;MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader5")
-=======
   add_executable(test_headless test_headless.cxx)
   target_link_libraries(test_headless PRIVATE
     shadow_ball_scene GTest::gtest_main shadow_warnings ${CMAKE_DL_LIBS})
@@ -66,5 +64,4 @@ if(VTKSHADOW_HEADLESS)
     gtest_discover_tests(test_headless TEST_FILTER ${suite}.* DISCOVERY_TIMEOUT 60
       PROPERTIES LABELS unit ENVIRONMENT VTKSHADOW_HEADLESS=${choice})
   endforeach()
->>>>>>> d68ab2aca45e02a076e7b4d7aa7d880a6f46fed0
 endif()
