@@ -9,7 +9,7 @@ namespace shadow
 
 /// A context of EGL without a display: on the first GPU that takes one, else on Mesa's software renderer.
 /// libEGL is loaded when the first context is made.
-class EGLContext : public HeadlessContext
+class EGLContext final : public HeadlessContext
 {
 public:
   /// @throws std::runtime_error, with what each device said, when there is no EGL or none with OpenGL 3.2

@@ -10,7 +10,7 @@ namespace shadow
 {
 
 /// A context of OSMesa, Mesa's renderer in software. The library is loaded when the first context is made.
-class OSMesaContext : public HeadlessContext
+class OSMesaContext final : public HeadlessContext
 {
 public:
   /// @throws std::runtime_error when there is no OSMesa, or none with OpenGL 3.2

@@ -14,9 +14,11 @@ namespace shadow
 class SharedLibrary
 {
 public:
-  /// Loads the first of these that there is. @throws std::runtime_error with the loader's reason when none
+  /// Loads the first of these that there is. @throws std::runtime_error with what the loader says of the
+  /// first name when there is none
   SharedLibrary(std::initializer_list<const char*> names, const std::string& missing)
   {
+    std::string reason;
     for (const char* name : names)
     {
       this->handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
@@ -24,8 +26,10 @@ public:
       {
         return;
       }
+      const char* said = dlerror();
+      reason = reason.empty() && said != nullptr ? said : reason;
     }
-    throw std::runtime_error(missing + ": " + dlerror());
+    throw std::runtime_error(missing + ": " + reason);
   }
 
   /// @throws std::runtime_error when there is no such function

@@ -85,7 +85,7 @@ std::vector<int> parsePoints(const std::string& option, const std::string& text,
 
 std::vector<FigureMethod> chooseMethods(const std::string& text)
 {
-  const std::vector<FigureMethod> all = allFigureMethods();
+  std::vector<FigureMethod> all = allFigureMethods();
   if (text.empty())
   {
     return all;
