@@ -125,7 +125,7 @@ glm::vec3 GPUSilhouette::chooseApex(const SEDGeometry& geometry, const glm::dvec
 
 bool GPUSilhouette::drawSurface(const Surface& surface)
 {
-  vtkShaderProgram* program = this->use(ShadowPrograms::SurfacePrePass, surface, *this->frame.lights);
+  vtkShaderProgram* program = this->use(this->getSurfaceStage(), surface, *this->frame.lights);
   if (program == nullptr)
   {
     return false;
@@ -161,18 +161,23 @@ bool GPUSilhouette::drawCap(const Surface& surface, const Light& light, StencilC
   return true;
 }
 
+DarkCap GPUSilhouette::chooseDarkCap(const Light& light, const CasterPlan& plan)
+{
+  // The far copies of a directional light's volume at infinity are one point.
+  const bool farEndOpen = light.positionWC.w != 0.0 || !plan.isFarAtInfinity();
+  return farEndOpen ? plan.darkCap : DarkCap::None;
+}
+
 bool GPUSilhouette::drawVolume(const Surface& surface, const Light& light, StencilCount count)
 {
   const PathLightState& state = surface.state->lights.at(light.index);
-  // Where the far copies of a directional light's volume are one point nothing is open.
-  const bool farEndOpen = light.positionWC.w != 0.0 || !state.plan.isFarAtInfinity();
-  const bool fan = farEndOpen && state.plan.darkCap == DarkCap::Fan;
-  bool drawn = this->drawSides(surface, light, count, fan);
+  const DarkCap darkCap = chooseDarkCap(light, state.plan);
+  bool drawn = this->drawSides(surface, light, count, darkCap == DarkCap::Fan);
   if (state.plan.lightCap)
   {
     drawn = drawn && this->drawCap(surface, light, count, false);
   }
-  if (farEndOpen && state.plan.darkCap == DarkCap::Triangles)
+  if (darkCap == DarkCap::Triangles)
   {
     drawn = drawn && this->drawCap(surface, light, count, true);
   }

@@ -95,14 +95,24 @@ protected:
   /// Lines of the preprocessor that choose where shaders/facingSource.glsl takes the facing from.
   virtual std::string getFacingSwitches() const { return ""; }
 
+  /// The pre-pass: SurfacePrePass or SurfacePrePassHandedOn.
+  virtual ShadowPrograms::Stage getSurfaceStage() const { return ShadowPrograms::SurfacePrePass; }
+
   /// Gives the program what facingSource.glsl asks for: here the lights that it will ask about, to evaluate
   /// the facing from the corners. @pre the program is current
   virtual void bindFacing(vtkShaderProgram* program, const Surface& surface,
                           const std::vector<Light>& lights);
 
-  /// Draws the sides, and with @p fan a fan that closes the far end. @return false when a shader does not
-  /// compile
-  virtual bool drawSides(const Surface& surface, const Light& light, StencilCount count, bool fan) = 0;
+  /// Draws the sides, and with @p fan a fan that closes the far end, for a method that leaves the rest of
+  /// drawVolume() as it is. @return false when a shader does not compile
+  virtual bool drawSides(const Surface& /*surface*/, const Light& /*light*/, StencilCount /*count*/,
+                         bool /*fan*/)
+  {
+    return false;
+  }
+
+  /// How the far end of a planned volume is closed: not at all where its far copies are one point.
+  static DarkCap chooseDarkCap(const Light& light, const CasterPlan& plan);
 
   const Frame& getFrame() const { return this->frame; }
   GeometryTexels& getTables(const Surface& surface);

@@ -7,6 +7,7 @@
 #include "EdgeQuadSilhouette.h"
 #include "FacingTexture.h"
 #include "GPUSilhouetteVisitor.h"
+#include "GeometryShaderSilhouette.h"
 #include "OpenGL.h"
 #include "ReadFacingVisitor.h"
 #include "SEDVisitor.h"
@@ -26,6 +27,8 @@ std::unique_ptr<GPUSilhouette> makeGPUSilhouette(SilhouetteMethod method)
   case SilhouetteMethod::FacingTexture:
   case SilhouetteMethod::FacingTextureResident:
     return std::make_unique<FacingTexture>();
+  case SilhouetteMethod::GeometryShader:
+    return std::make_unique<GeometryShaderSilhouette>();
   default:
     return std::make_unique<EdgeQuadSilhouette>();
   }

@@ -50,6 +50,8 @@ std::string toString(SilhouetteMethod method)
     return "facing-texture-resident";
   case SilhouetteMethod::VertexExtrusion:
     return "vertex-extrusion";
+  case SilhouetteMethod::GeometryShader:
+    return "geometry-shader";
   }
   throw std::invalid_argument("unknown silhouette method");
 }

@@ -22,7 +22,8 @@ enum class SilhouetteMethod
   // On the GPU, see nodes/drawable:
   FacingTexture,         ///< facing drawn into a texture and read back (Shi 2006, chapter 3.3)
   FacingTextureResident, ///< the same without reading it back
-  VertexExtrusion        ///< every edge a quad (McGuire & Hughes 2004)
+  VertexExtrusion,       ///< every edge a quad (McGuire & Hughes 2004)
+  GeometryShader         ///< triangles with adjacency (Zerari & Babahenini 2011)
 };
 
 /// Whether the method runs on the GPU.

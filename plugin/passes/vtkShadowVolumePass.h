@@ -98,14 +98,15 @@ public:
     SILHOUETTE_FACING_TEXTURE, ///< facing drawn by the GPU into a texture and read back (Shi 2006,
                                ///< chapter 3.3)
     SILHOUETTE_FACING_TEXTURE_RESIDENT, ///< the same without reading it back
-    SILHOUETTE_VERTEX_EXTRUSION         ///< every edge a quad on the GPU (McGuire & Hughes 2004)
+    SILHOUETTE_VERTEX_EXTRUSION,        ///< every edge a quad on the GPU (McGuire & Hughes 2004)
+    SILHOUETTE_GEOMETRY_SHADER ///< triangles with adjacency in the geometry shader (Zerari & Babahenini 2011)
   };
 
   ///@{
   /**
    * The silhouette method. All methods give the same picture. Default: SILHOUETTE_BRUTE_FORCE.
    */
-  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_VERTEX_EXTRUSION);
+  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_GEOMETRY_SHADER);
   vtkGetMacro(SilhouetteMethod, int);
   void SetSilhouetteMethodToBruteForce() { this->SetSilhouetteMethod(SILHOUETTE_BRUTE_FORCE); }
   void SetSilhouetteMethodToEdgeBuffer() { this->SetSilhouetteMethod(SILHOUETTE_EDGE_BUFFER); }
