@@ -34,7 +34,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
     const char* fragment;
     const char* switches;
   };
-  static const std::array<Sources, 11> stages = {
+  static const std::array<Sources, 13> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -49,7 +49,9 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
       Sources{shaders::surface_vert, shaders::volume_frag,
               "#define SHADOW_CAP\n#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"},
       Sources{shaders::sides_vert, shaders::volume_frag,
-              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"}};
+              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"},
+      Sources{shaders::triangleFacing_vert, shaders::texel_frag, ""},
+      Sources{shaders::edgeStates_vert, shaders::texel_frag, ""}};
   const Sources& sources = stages[stage];
   const std::string all =
       sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "") + switches;

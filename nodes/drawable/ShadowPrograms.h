@@ -27,7 +27,9 @@ public:
     // Where the facing is known to the GPU only, see shaders/facingSource.glsl:
     SurfacePrePass,
     SurfaceCap,
-    Sides
+    Sides,
+    TriangleFacing, ///< into a texture, as EdgeStates; parallel does not matter
+    EdgeStates
   };
 
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}

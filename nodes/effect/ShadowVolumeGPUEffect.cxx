@@ -5,6 +5,7 @@
 #include <vtkOpenGLRenderWindow.h>
 
 #include "BruteForceSilhouette.h"
+#include "ComputeSilhouette.h"
 #include "EdgeQuadSilhouette.h"
 #include "FacingTexture.h"
 #include "GPUSilhouetteVisitor.h"
@@ -13,6 +14,7 @@
 #include "SEDVisitor.h"
 #include "SVStateVisitor.h"
 #include "Stopwatch.h"
+#include "VertexTexture.h"
 
 namespace shadow
 {
@@ -27,6 +29,10 @@ std::unique_ptr<GPUSilhouette> makeGPUSilhouette(SilhouetteMethod method)
   case SilhouetteMethod::FacingTexture:
   case SilhouetteMethod::FacingTextureResident:
     return std::make_unique<FacingTexture>();
+  case SilhouetteMethod::VertexTexture:
+    return std::make_unique<VertexTexture>();
+  case SilhouetteMethod::Compute:
+    return std::make_unique<ComputeSilhouette>();
   default:
     return std::make_unique<EdgeQuadSilhouette>();
   }
@@ -77,8 +83,12 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
   }
   GPUSilhouetteVisitor prepare(GPUSilhouetteVisitor::Stage::Prepare, *this->method, frame.lights);
   this->accept(prepare);
-  this->method->sweep();
   error = prepare.getError();
+  if (error.empty())
+  {
+    this->method->finishPreparing(error);
+  }
+  this->method->sweep();
   if (frame.settings.waitAfterStages)
   {
     glFinish();
