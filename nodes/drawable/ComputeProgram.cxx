@@ -33,7 +33,8 @@ bool ComputeProgram::use(vtkOpenGLRenderWindow* window, std::string& error)
   window->GetShaderCache()->ReleaseCurrentShader();
   if (this->program == 0 && this->refusal.empty() && !this->build())
   {
-    this->release();
+    glDeleteProgram(this->program);
+    this->program = 0;
   }
   if (this->program == 0)
   {
@@ -119,6 +120,7 @@ void ComputeProgram::release(bool contextLost)
     glDeleteProgram(this->program);
   }
   this->program = 0;
+  this->refusal.clear();
 }
 
 } // namespace shadow

@@ -201,6 +201,15 @@ bool GPUSilhouette::drawVolume(const Surface& surface, const Light& light, Stenc
   return drawn;
 }
 
+void GPUSilhouette::unbind()
+{
+  for (int unit = tableUnit; unit < tableUnit + unitCount; ++unit)
+  {
+    this->frame.window->GetState()->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  }
+}
+
 void GPUSilhouette::sweep()
 {
   sweepUnused(this->tables, [](Entry& entry) { entry.texels->release(false); });

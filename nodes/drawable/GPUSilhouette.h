@@ -82,6 +82,9 @@ public:
   /// @return false when a shader does not compile
   virtual bool drawVolume(const Surface& surface, const Light& light, StencilCount count);
 
+  /// Takes what the stages read off the texture units.
+  void unbind();
+
   /// Frees what was not used since the last call.
   virtual void sweep();
 
@@ -95,6 +98,7 @@ protected:
   static constexpr int tableUnit = 0;
   static constexpr int facingUnit = 3;
   static constexpr int edgeUnit = 4;
+  static constexpr int unitCount = 5;
 
   /// Lines of the preprocessor that choose where shaders/facingSource.glsl takes the facing from.
   virtual std::string getFacingSwitches() const { return ""; }

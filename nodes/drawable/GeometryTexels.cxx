@@ -15,8 +15,6 @@ namespace shadow
 namespace
 {
 
-constexpr int tableCount = 3;
-
 bool fill(TexelArray& table, const std::vector<glm::uvec4>& texels, std::string& error)
 {
   if (!table.allocate(texels.size(), error))
@@ -74,15 +72,6 @@ void GeometryTexels::bind(vtkOpenGLState* state, unsigned int program, int first
   this->positions.bind(state, program, firstUnit, "positionTexels", "positionLayer");
   this->triangles.bind(state, program, firstUnit + 1, "triangleTexels", "triangleLayer");
   this->edges.bind(state, program, firstUnit + 2, "edgeTexels", "edgeLayer");
-}
-
-void GeometryTexels::unbind(vtkOpenGLState* state, int firstUnit)
-{
-  for (int i = 0; i < tableCount; ++i)
-  {
-    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + i));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  }
 }
 
 void GeometryTexels::release(bool contextLost)

@@ -33,9 +33,6 @@ public:
   /// @param program  name of a GL program that is current
   void bind(vtkOpenGLState* state, unsigned int program, int firstUnit) const;
 
-  /// Takes the tables off the units again.
-  static void unbind(vtkOpenGLState* state, int firstUnit);
-
   /// Model space relative to the origin, scaled to the geometry's size: what facing is evaluated in.
   const SceneFrame& getFrame() const { return this->frame; }
 

@@ -64,12 +64,13 @@ protected:
 
   const Prepared& getPrepared(const NodePath& path) const { return *this->paths.at(path).prepared; }
 
-  /// Bits, by Light::index, of the lights that a surface's @p prepared holds and that fulfil a condition.
   enum class Which
   {
     All,
-    LightFacingOnly ///< see Casting
+    LightFacingOnly ///< those for which averted triangles do not cast: see Casting
   };
+
+  /// Bits, by Light::index, of the lights that a surface is found anew for.
   static unsigned int lightBits(const Change& change, Which which);
 
   std::string getFacingSwitches() const override { return "#define SHADOW_FACING_TEXTURE\n"; }

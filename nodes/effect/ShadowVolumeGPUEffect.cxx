@@ -88,6 +88,7 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
   {
     this->method->finishPreparing(error);
   }
+  this->method->unbind();
   this->method->sweep();
   if (frame.settings.waitAfterStages)
   {
@@ -104,6 +105,7 @@ bool ShadowVolumeGPUEffect::drawSurfaces(const Frame& frame, std::string& error)
 {
   GPUSilhouetteVisitor draw(GPUSilhouetteVisitor::Stage::Draw, *this->method, frame.lights);
   this->accept(draw);
+  this->method->unbind();
   this->changeStatistics().prePassTriangles = draw.getCounts().geometry;
   error = draw.getError();
   return error.empty();
@@ -141,6 +143,7 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
     this->accept(volumeMode);
     GPUSilhouetteVisitor draw(GPUSilhouetteVisitor::Stage::Draw, *this->method, frame.lights);
     this->accept(draw);
+    this->method->unbind();
     this->changeStatistics().sideTriangles += draw.getCounts().sides;
     this->changeStatistics().capTriangles += draw.getCounts().caps;
     counted = counted || draw.hasDrawn();

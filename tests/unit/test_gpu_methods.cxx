@@ -11,6 +11,7 @@
 #include <vtkActor.h>
 #include <vtkImageData.h>
 #include <vtkMapper.h>
+#include <vtkOpenGLState.h>
 
 #include "BallScene.h"
 #include "Capabilities.h"
@@ -266,6 +267,13 @@ TEST(GPUMethods, AfterRendering_NothingIsLeftBound)
       GLint image = -1;
       glGetIntegeri_v(GL_IMAGE_BINDING_NAME, 0, &image);
       EXPECT_EQ(image, 0);
+    }
+    for (int unit = 0; unit < 16; ++unit)
+    {
+      scene.window->GetState()->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+      GLint texture = -1;
+      glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &texture);
+      EXPECT_EQ(texture, 0) << "unit " << unit;
     }
     for (const GLenum binding : bindings)
     {
