@@ -35,8 +35,10 @@ const std::vector<Method>& silhouetteMethods()
       {"hybrid", "HSD: TA on polygons merged from coplanar triangles"},
       {"facing-texture", "facing drawn into a texture by the GPU and read back"},
       {"facing-texture-resident", "the same without reading it back"},
+      {"vertex-texture", "the state of every edge drawn into a texture by the GPU"},
       {"vertex-extrusion", "every edge a quad, widened by the vertex shader"},
-      {"geometry-shader", "triangles with adjacency, extruded by the geometry shader"}};
+      {"geometry-shader", "triangles with adjacency, extruded by the geometry shader"},
+      {"compute", "edges listed by compute shaders and drawn indirectly; needs GL 4.3"}};
   return methods;
 }
 

@@ -37,6 +37,11 @@ bool GPUSilhouette::prepare(const Surface& surface, std::string& error)
   return entry.texels->upload(*geometry, error);
 }
 
+bool GPUSilhouette::finishPreparing(std::string& /*error*/)
+{
+  return true;
+}
+
 GeometryTexels& GPUSilhouette::getTables(const Surface& surface)
 {
   return *this->tables.at(&surface.geode->getGeometry()).texels;
@@ -45,8 +50,14 @@ GeometryTexels& GPUSilhouette::getTables(const Surface& surface)
 void GPUSilhouette::bindFacing(vtkShaderProgram* program, const Surface& surface,
                                const std::vector<Light>& lights)
 {
+  this->bindCorners(static_cast<unsigned int>(program->GetHandle()), surface, lights);
+}
+
+void GPUSilhouette::bindCorners(unsigned int program, const Surface& surface,
+                                const std::vector<Light>& lights)
+{
   const SceneFrame& space = this->getTables(surface).getFrame();
-  program->SetUniformf("facingScale", static_cast<float>(1.0 / space.unit));
+  glUniform1f(glGetUniformLocation(program, "facingScale"), static_cast<float>(1.0 / space.unit));
   std::vector<Light> lightsMC;
   for (const Light& light : lights)
   {
@@ -59,17 +70,28 @@ void GPUSilhouette::bindFacing(vtkShaderProgram* program, const Surface& surface
   setLightUniforms(program, lightsMC, space);
 }
 
+vtkShaderProgram* GPUSilhouette::useTables(ShadowPrograms::Stage stage, const Surface& surface,
+                                           const std::string& switches)
+{
+  vtkShaderProgram* program =
+      ShadowPrograms(this->frame.window).use(stage, this->frame.view->parallel, switches);
+  if (program != nullptr)
+  {
+    this->getTables(surface).bind(this->frame.window->GetState(),
+                                  static_cast<unsigned int>(program->GetHandle()), tableUnit);
+  }
+  return program;
+}
+
 vtkShaderProgram* GPUSilhouette::use(ShadowPrograms::Stage stage, const Surface& surface,
                                      const std::vector<Light>& lights, const std::string& switches)
 {
   const View& view = *this->frame.view;
-  vtkShaderProgram* program =
-      ShadowPrograms(this->frame.window).use(stage, view.parallel, this->getFacingSwitches() + switches);
+  vtkShaderProgram* program = this->useTables(stage, surface, this->getFacingSwitches() + switches);
   if (program == nullptr)
   {
     return nullptr;
   }
-  this->getTables(surface).bind(this->frame.window->GetState(), program, tableUnit);
   this->bindFacing(program, surface, lights);
   const glm::dmat4 wcFromMC = worldFromRelative(surface.geode->getGeometry(), surface.modelToWorld);
   setUniform(program, "clipFromMC", this->frame.clipFromWC * wcFromMC);
@@ -182,6 +204,15 @@ bool GPUSilhouette::drawVolume(const Surface& surface, const Light& light, Stenc
     drawn = drawn && this->drawCap(surface, light, count, true);
   }
   return drawn;
+}
+
+void GPUSilhouette::unbind()
+{
+  for (int unit = tableUnit; unit < tableUnit + unitCount; ++unit)
+  {
+    this->frame.window->GetState()->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  }
 }
 
 void GPUSilhouette::sweep()

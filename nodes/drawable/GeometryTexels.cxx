@@ -6,7 +6,6 @@
 #include <glm/glm.hpp>
 
 #include <vtkOpenGLState.h>
-#include <vtkShaderProgram.h>
 
 #include "OpenGL.h"
 
@@ -15,8 +14,6 @@ namespace shadow
 
 namespace
 {
-
-constexpr int tableCount = 3;
 
 bool fill(TexelArray& table, const std::vector<glm::uvec4>& texels, std::string& error)
 {
@@ -70,29 +67,11 @@ void GeometryTexels::uploadPositions(const SEDGeometry& geometry)
   this->frame = SceneFrame::around(-reach, reach);
 }
 
-void GeometryTexels::bind(vtkOpenGLState* state, vtkShaderProgram* program, int firstUnit) const
+void GeometryTexels::bind(vtkOpenGLState* state, unsigned int program, int firstUnit) const
 {
-  const std::array<const TexelArray*, tableCount> tables = {&this->positions, &this->triangles, &this->edges};
-  const std::array<const char*, tableCount> names = {"positionTexels", "triangleTexels", "edgeTexels"};
-  const std::array<const char*, tableCount> sizes = {"positionLayer", "triangleLayer", "edgeLayer"};
-  for (int i = 0; i < tableCount; ++i)
-  {
-    const auto place = static_cast<std::size_t>(i);
-    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + i));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, tables[place]->getTexture());
-    program->SetUniformi(names[place], firstUnit + i);
-    const int size[2] = {tables[place]->getWidth(), tables[place]->getHeight()};
-    program->SetUniform2i(sizes[place], size);
-  }
-}
-
-void GeometryTexels::unbind(vtkOpenGLState* state, int firstUnit)
-{
-  for (int i = 0; i < tableCount; ++i)
-  {
-    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + i));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  }
+  this->positions.bind(state, program, firstUnit, "positionTexels", "positionLayer");
+  this->triangles.bind(state, program, firstUnit + 1, "triangleTexels", "triangleLayer");
+  this->edges.bind(state, program, firstUnit + 2, "edgeTexels", "edgeLayer");
 }
 
 void GeometryTexels::release(bool contextLost)

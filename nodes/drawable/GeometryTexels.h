@@ -8,7 +8,6 @@
 #include "TexelArray.h"
 
 class vtkOpenGLState;
-class vtkShaderProgram;
 
 namespace shadow
 {
@@ -31,11 +30,8 @@ public:
   void uploadPositions(const SEDGeometry& geometry);
 
   /// Binds the tables to texture units @p firstUnit to @p firstUnit + 2 and sets the program's uniforms.
-  /// @pre  the program is current
-  void bind(vtkOpenGLState* state, vtkShaderProgram* program, int firstUnit) const;
-
-  /// Takes the tables off the units again.
-  static void unbind(vtkOpenGLState* state, int firstUnit);
+  /// @param program  name of a GL program that is current
+  void bind(vtkOpenGLState* state, unsigned int program, int firstUnit) const;
 
   /// Model space relative to the origin, scaled to the geometry's size: what facing is evaluated in.
   const SceneFrame& getFrame() const { return this->frame; }

@@ -29,7 +29,9 @@ public:
     SurfaceCap,
     Sides,
     SurfacePrePassHandedOn, ///< SurfacePrePass through a geometry shader, to go with the next:
-    VolumeOfTriangles       ///< sides and caps, made in the geometry shader
+    VolumeOfTriangles,      ///< sides and caps, made in the geometry shader
+    TriangleFacing,         ///< into a texture, as EdgeStates; parallel does not matter
+    EdgeStates
   };
 
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}

@@ -48,10 +48,14 @@ std::string toString(SilhouetteMethod method)
     return "facing-texture";
   case SilhouetteMethod::FacingTextureResident:
     return "facing-texture-resident";
+  case SilhouetteMethod::VertexTexture:
+    return "vertex-texture";
   case SilhouetteMethod::VertexExtrusion:
     return "vertex-extrusion";
   case SilhouetteMethod::GeometryShader:
     return "geometry-shader";
+  case SilhouetteMethod::Compute:
+    return "compute";
   }
   throw std::invalid_argument("unknown silhouette method");
 }

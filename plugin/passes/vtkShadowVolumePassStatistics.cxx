@@ -16,6 +16,12 @@ std::string vtkShadowVolumePass::GetStatusMessage() const
 }
 
 //------------------------------------------------------------------------------
+int vtkShadowVolumePass::GetUsedSilhouetteMethod() const
+{
+  return this->Internals->UsedMethod >= 0 ? this->Internals->UsedMethod : this->SilhouetteMethod;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkShadowVolumePass::GetPrePassTriangles() const
 {
   return static_cast<vtkIdType>(this->Internals->GetStatistics().prePassTriangles);
