@@ -133,10 +133,12 @@ void drawCaps(int casts)
   int turned = lightFacingOnly == 1 ? 1 - casts : -casts;
   if (darkTriangles == 1 && turned != 0)
   {
+    // The middle corner first: rasterisers derive depth from the two edges at the first corner, and in the products of short
+    // edges less is lost; a sliver would else be without depth. No surface lies there that would ask for raster order.
     float times = winding * float(turned);
-    emit(farPosition[corners.x], times);
     emit(farPosition[corners.y], times);
     emit(farPosition[corners.z], times);
+    emit(farPosition[corners.x], times);
     EndPrimitive();
   }
 }

@@ -16,6 +16,7 @@ if(VTKSHADOW_HEADLESS)
   target_link_libraries(shadow_ball_scene PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings)
 
   add_executable(test_pass
+    test_gpu_silhouette.cxx
     test_pass_changes.cxx
     test_pass_growth.cxx
     test_pass_lights.cxx
@@ -27,7 +28,7 @@ if(VTKSHADOW_HEADLESS)
     test_pass_uses.cxx
     test_pass_windows.cxx)
   target_link_libraries(test_pass PRIVATE
-    shadow_ball_scene shadow_drawable GTest::gtest_main shadow_warnings
+    shadow_ball_scene shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
     VTK::CommonExecutionModel VTK::FiltersCore VTK::FiltersSources VTK::ImagingCore VTK::InteractionStyle
     VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2)
   vtk_module_autoinit(TARGETS test_pass MODULES
