@@ -22,7 +22,8 @@ std::string readLog(GLuint object, GetParameter getParameter, GetLog getLog)
   getParameter(object, GL_INFO_LOG_LENGTH, &length);
   std::vector<GLchar> text(static_cast<std::size_t>(std::max(length, 1)), '\0');
   getLog(object, static_cast<GLsizei>(text.size()), nullptr, text.data());
-  return text.data();
+  const std::string log = text.data();
+  return log.substr(0, log.find_last_not_of(" \n") + 1);
 }
 
 } // namespace
@@ -38,7 +39,7 @@ bool ComputeProgram::use(vtkOpenGLRenderWindow* window, std::string& error)
   }
   if (this->program == 0)
   {
-    error = std::string("compute shader ") + this->name + ": " + this->refusal;
+    error = std::string(this->name) + " " + this->refusal;
     return false;
   }
   glUseProgram(this->program);

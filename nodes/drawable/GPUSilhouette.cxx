@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
@@ -17,6 +18,7 @@ namespace shadow
 bool GPUSilhouette::begin(const Frame& theFrame, std::string& /*error*/)
 {
   this->frame = theFrame;
+  this->programs.clear();
   return true;
 }
 
@@ -73,8 +75,11 @@ void GPUSilhouette::bindCorners(unsigned int program, const Surface& surface,
 vtkShaderProgram* GPUSilhouette::useTables(ShadowPrograms::Stage stage, const Surface& surface,
                                            const std::string& switches)
 {
+  vtkShaderProgram*& known = this->programs[{stage, switches}];
   vtkShaderProgram* program =
-      ShadowPrograms(this->frame.window).use(stage, this->frame.view->parallel, switches);
+      known != nullptr ? this->frame.window->GetShaderCache()->ReadyShaderProgram(known)
+                       : ShadowPrograms(this->frame.window).use(stage, this->frame.view->parallel, switches);
+  known = program;
   if (program != nullptr)
   {
     this->getTables(surface).bind(this->frame.window->GetState(),

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -160,6 +161,9 @@ private:
   };
   Frame frame;
   std::map<const SEDGeometry*, Entry> tables;
+  /// Of the frame, by stage and switches: to ask VTK's cache costs a hash of the whole text, for each surface
+  /// and light.
+  std::map<std::pair<ShadowPrograms::Stage, std::string>, vtkShaderProgram*> programs;
 };
 
 } // namespace shadow

@@ -80,7 +80,12 @@ if(VTKSHADOW_HEADLESS)
   # Once more on a GL without compute shaders, and on the least there may be, bare of what it usually brings along.
   add_test(NAME GPUMethods.OnGL33 COMMAND test_gpu_silhouettes)
   add_test(NAME GPUMethods.OnGL32 COMMAND test_gpu_silhouettes)
-  set_tests_properties(GPUMethods.OnGL33 GPUMethods.OnGL32 PROPERTIES LABELS unit TIMEOUT 300)
+  # And on one that says it can, and then does not.
+  add_test(NAME GPUMethods.BrokenCompute COMMAND test_gpu_silhouettes --gtest_filter=GPUMethods.*)
+  set_tests_properties(GPUMethods.OnGL33 GPUMethods.OnGL32 GPUMethods.BrokenCompute PROPERTIES
+    LABELS unit TIMEOUT 300)
+  set_property(TEST GPUMethods.BrokenCompute PROPERTY ENVIRONMENT
+    MESA_GL_VERSION_OVERRIDE=4.3 MESA_GLSL_VERSION_OVERRIDE=420 SHADOW_TEST_BROKEN_COMPUTE=1)
   set_property(TEST GPUMethods.OnGL33 PROPERTY ENVIRONMENT
     MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330)
   set_property(TEST GPUMethods.OnGL32 PROPERTY ENVIRONMENT

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -103,7 +104,7 @@ TEST(GPUMethods, EveryMethod_RunsOrGivesWay_MaskIsTheTruth)
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-TEST(GPUMethods, Compute_WhereTheGLHasNone_ToldOnceAndFacingTextureInstead)
+TEST(GPUMethods, Compute_WhereItCannotBe_ToldOnceAndFacingTextureInstead)
 {
   BallScene scene;
   const auto messages = MessageCounter::observe(scene.pass);
@@ -116,7 +117,7 @@ TEST(GPUMethods, Compute_WhereTheGLHasNone_ToldOnceAndFacingTextureInstead)
   const Capabilities capabilities = queryCapabilities();
   const std::string message = scene.pass->GetStatusMessage();
   EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK);
-  if (capabilities.compute)
+  if (capabilities.compute && std::getenv("SHADOW_TEST_BROKEN_COMPUTE") == nullptr)
   {
     EXPECT_EQ(scene.pass->GetUsedSilhouetteMethod(), vtkShadowVolumePass::SILHOUETTE_COMPUTE);
     EXPECT_EQ(message, "");
@@ -124,8 +125,12 @@ TEST(GPUMethods, Compute_WhereTheGLHasNone_ToldOnceAndFacingTextureInstead)
     return;
   }
   EXPECT_EQ(scene.pass->GetUsedSilhouetteMethod(), vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE_RESIDENT);
-  EXPECT_EQ(message, "compute: needs OpenGL 4.3, this context has " + capabilities.version +
-                         "; silhouettes are found by facing-texture-resident instead");
+  const std::string reason = capabilities.compute
+                                 ? "facing.comp does not "
+                                 : "needs OpenGL 4.3, this context has " + capabilities.version + ";";
+  EXPECT_EQ(message.find("compute: " + reason), 0u) << message;
+  EXPECT_NE(message.find("; silhouettes are found by facing-texture-resident instead"), std::string::npos)
+      << message;
   EXPECT_EQ(messages->warnings, 1);
   // The setting stays what it was, and another method is not bothered.
   EXPECT_EQ(scene.pass->GetSilhouetteMethod(), vtkShadowVolumePass::SILHOUETTE_COMPUTE);
