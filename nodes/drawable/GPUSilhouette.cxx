@@ -27,15 +27,25 @@ bool GPUSilhouette::prepare(const Surface& surface, std::string& error)
   const std::shared_ptr<const SEDGeometry>& geometry = surface.geode->getSharedGeometry();
   Entry& entry = this->tables[geometry.get()];
   entry.used = true;
-  if (entry.texels != nullptr && entry.geometry.lock() == geometry)
+  if (entry.geometry == geometry)
   {
     return true;
   }
-  if (entry.texels == nullptr)
-  {
-    entry.texels = std::make_unique<GeometryTexels>();
-  }
   entry.geometry = geometry;
+  const auto moved = std::find_if(this->tables.begin(), this->tables.end(),
+                                  [&](const auto& other)
+                                  {
+                                    return !other.second.used && other.second.texels != nullptr &&
+                                           isSameMeshMoved(*other.second.geometry, *geometry);
+                                  });
+  if (moved != this->tables.end())
+  {
+    entry.texels = std::move(moved->second.texels);
+    entry.texels->update(*moved->second.geometry, *geometry);
+    this->tables.erase(moved);
+    return true;
+  }
+  entry.texels = std::make_unique<GeometryTexels>();
   return entry.texels->upload(*geometry, error);
 }
 

@@ -155,7 +155,7 @@ private:
 
   struct Entry
   {
-    std::weak_ptr<const SEDGeometry> geometry; ///< guards against another geometry at the same address
+    std::shared_ptr<const SEDGeometry> geometry; ///< kept, since it may come back moved in the next frame
     std::unique_ptr<GeometryTexels> texels;
     bool used = false;
   };
