@@ -9,9 +9,6 @@
 #include "extrusion.glsl"
 uniform vec3 apexMC;
 flat out float multiplicity;
-#ifdef SHADOW_PARALLEL
-out float nearDistance;
-#endif
 
 void main()
 {
@@ -20,9 +17,6 @@ void main()
   int edge;
   int times = silhouetteAt(quad, edge);
   multiplicity = abs(float(times));
-#ifdef SHADOW_PARALLEL
-  nearDistance = 1.0;
-#endif
   if (times == 0)
   {
     gl_Position = vec4(0.0, 0.0, 0.0, 1.0);

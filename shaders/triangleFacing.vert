@@ -12,4 +12,5 @@ void main()
   texel = uvec4(facingBitsOf(gl_VertexID), 0u, 0u);
   vec2 centre = vec2(texelPlace(gl_VertexID, layerSize).xy) + 0.5;
   gl_Position = vec4(2.0 * centre / vec2(layerSize) - 1.0, 0.0, 1.0);
+  gl_PointSize = 1.0;
 }

@@ -41,6 +41,7 @@ void GPUSilhouetteVisitor::prepare(SEDGeode& geode, PathState& path)
     }
     state.extruded = state.extruded && state.lightMC == *lightMC;
     state.lightMC = *lightMC;
+    this->facedAnew = this->facedAnew || !state.faced;
     state.faced = true;
   }
   if (this->error.empty())

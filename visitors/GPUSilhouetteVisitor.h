@@ -43,6 +43,9 @@ public:
   const Counts& getCounts() const { return this->counts; }
   bool hasDrawn() const { return this->drawn; } ///< something was counted
 
+  /// Prepare has met a path and light of which nothing was known.
+  bool hasFacedAnew() const { return this->facedAnew; }
+
   /// One line when the GL could not do what was asked; empty otherwise.
   const std::string& getError() const { return this->error; }
 
@@ -56,6 +59,7 @@ private:
   const std::vector<Light>& lights;
   Counts counts;
   bool drawn = false;
+  bool facedAnew = false;
   std::string error;
 };
 

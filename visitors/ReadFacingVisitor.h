@@ -6,7 +6,6 @@
 #include "Light.h"
 #include "NodeVisitor.h"
 #include "SEDGeode.h"
-#include "ShadowVolume.h"
 
 namespace shadow
 {
@@ -33,7 +32,6 @@ public:
       if (state.faced && !state.extruded)
       {
         this->texture.getFacing(this->getPath(), light, state.facing);
-        clearTouching(geode.getGeometry(), state.lightMC, state.facing);
       }
     }
   }

@@ -48,7 +48,8 @@ Capabilities queryCapabilities()
       (version >= 45 || hasExtension("GL_ARB_clip_control")) && glClipControl != nullptr;
   capabilities.sampleShading = version >= 40 || hasExtension("GL_ARB_sample_shading");
   capabilities.compute = version >= 43 && glDispatchCompute != nullptr;
-  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const GLubyte* name = glGetString(GL_RENDERER);
+  const std::string renderer = name != nullptr ? reinterpret_cast<const char*>(name) : "";
   for (const char* software : {"llvmpipe", "softpipe", "SWR", "Software Rasterizer"})
   {
     capabilities.software = capabilities.software || renderer.find(software) != std::string::npos;

@@ -27,7 +27,7 @@ public:
   /// Waits for the copy. @return false when there is none
   bool fetch() { return this->camera.fetch(); }
 
-  /// The fetched facing of a geode on a path, all bits cleared for one that is not in the collection.
+  /// The fetched facing of a geode on a path; left as it is for one that is not in the collection.
   /// @pre  fetch() has succeeded in this frame
   void getFacing(const NodePath& path, const Light& light, LightFacing& facing) const;
 

@@ -35,7 +35,8 @@ bool GPUSilhouette::prepare(const Surface& surface, std::string& error)
   const auto moved = std::find_if(this->tables.begin(), this->tables.end(),
                                   [&](const auto& other)
                                   {
-                                    return !other.second.used && other.second.texels != nullptr &&
+                                    // Kept by this table alone: gone from the scene.
+                                    return !other.second.used && other.second.geometry.use_count() == 1 &&
                                            isSameMeshMoved(*other.second.geometry, *geometry);
                                   });
   if (moved != this->tables.end())
@@ -46,7 +47,12 @@ bool GPUSilhouette::prepare(const Surface& surface, std::string& error)
     return true;
   }
   entry.texels = std::make_unique<GeometryTexels>();
-  return entry.texels->upload(*geometry, error);
+  if (!entry.texels->upload(*geometry, error))
+  {
+    entry.geometry.reset();
+    return false;
+  }
+  return true;
 }
 
 bool GPUSilhouette::finishPreparing(std::string& /*error*/)

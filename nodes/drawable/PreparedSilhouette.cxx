@@ -47,6 +47,7 @@ bool PreparedSilhouette::prepare(const Surface& surface, std::string& error)
     return true;
   }
   prepared.lights = std::move(lights);
+  prepared.geometry.reset(); // until it is found
   Surface kept = surface;
   kept.path = &entry->first; // the visitor's own changes as it walks on
   this->changes.push_back({kept, &prepared});
@@ -98,6 +99,7 @@ void PreparedSilhouette::bindFacingTexture(unsigned int program, const NodePath&
 void PreparedSilhouette::sweep()
 {
   sweepUnused(this->paths, [](Entry& entry) { entry.prepared->release(false); });
+  this->changes.clear();
   this->EdgeQuadSilhouette::sweep();
 }
 

@@ -11,9 +11,7 @@
 #include "GeometryShaderSilhouette.h"
 #include "OpenGL.h"
 #include "ReadFacingVisitor.h"
-#include "SEDVisitor.h"
 #include "SVStateVisitor.h"
-#include "Stopwatch.h"
 #include "VertexTexture.h"
 
 namespace shadow
@@ -98,7 +96,8 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
   {
     glFinish();
   }
-  this->reading = error.empty() && this->readBack != nullptr && this->readBack->isNew();
+  this->reading =
+      error.empty() && this->readBack != nullptr && (this->readBack->isNew() || prepare.hasFacedAnew());
   if (this->reading)
   {
     this->readBack->startReadBack();
@@ -162,8 +161,13 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
     }
   }
   ShadowPrograms programs(frame.window);
-  return !counted || this->getTarget().foldCount(frame.window->GetState(), programs, light.index,
-                                                 this->getDepthRange().reversed);
+  if (counted && !this->getTarget().foldCount(frame.window->GetState(), programs, light.index,
+                                              this->getDepthRange().reversed))
+  {
+    error = "the shader that folds counts into the mask does not compile on this GL";
+    return false;
+  }
+  return true;
 }
 
 void ShadowVolumeGPUEffect::release(bool contextLost)

@@ -87,7 +87,7 @@ vtkShadowVolumePass::vtkInternals::RendererState::ChooseMethod(int wanted, int s
     const std::string missing = refusal != this->Refusals.end()
                                     ? refusal->second
                                     : shadow::findMissing(this->Effect->getCapabilities(), method, samples);
-    if (missing.empty())
+    if (refusal == this->Refusals.end() && missing.empty())
     {
       break;
     }

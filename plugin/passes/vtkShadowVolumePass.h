@@ -76,8 +76,9 @@ public:
 
   ///@{
   /**
-   * The buffer that shadow volumes are counted in. Both give the same picture. Samples > 1 need GL 4.0 for
-   * the colour buffer; without it the stencil is used. Default: Auto.
+   * The buffer that shadow volumes are counted in. Methods that keep silhouettes on the GPU always count in
+   * colour. Both give the same picture. Samples > 1 need GL 4.0 for the colour buffer; without it the stencil
+   * is used. Default: Auto.
    */
   vtkSetClampMacro(CountBuffer, int, COUNT_AUTO, COUNT_COLOR);
   vtkGetMacro(CountBuffer, int);

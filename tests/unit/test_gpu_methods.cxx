@@ -293,6 +293,27 @@ TEST(GPUMethods, MeshThatDeforms_EveryMethodFollows)
   }
 }
 
+// What is kept of a path goes with the path, though the triangles and lights look the same as before.
+TEST(GPUMethods, LightOrActorGoneForAFrame_EveryMethodStartsAnew)
+{
+  for (const int method : allMethods(BallScene().pass))
+  {
+    SCOPED_TRACE(nameOf(method));
+    BallScene scene;
+    scene.pass->SetSilhouetteMethod(method);
+    const Pixels expected = scene.renderMask();
+    scene.lamp->SwitchOff();
+    scene.window->Render();
+    scene.lamp->SwitchOn();
+    EXPECT_EQ(scene.renderMask(), expected);
+
+    vtkActor* twin = scene.addMapper(scene.ballActor->GetMapper());
+    scene.ballActor->VisibilityOff();
+    twin->SetUserMatrix(scene.ballActor->GetMatrix());
+    EXPECT_EQ(scene.renderMask(), expected);
+  }
+}
+
 TEST(GPUMethods, AfterRendering_NothingIsLeftBound)
 {
   BallScene scene;

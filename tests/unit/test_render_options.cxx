@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"--output", "--mask", "m.png"}, "--output: needs a value"}, Refused{{"--mask="}, "--mask"},
         Refused{{"--floor", "maybe"}, "allowed: off, on"},
         Refused{{"--stencil", "both"}, "auto, zpass, zfail"},
-        Refused{{"--silhouette", "gpu"}, "allowed: brute-force, facing-texture, "},
+        Refused{{"--silhouette", "gpu"}, "allowed: brute-force, edge-buffer, "},
         Refused{{"--compositing", "add"}, "mask, additive"}, Refused{{"--samples", "0"}, "between 1 and 32"},
         Refused{{"--samples", "33"}, "between 1 and 32"}, Refused{{"--samples", "2.0"}, "whole number"},
         Refused{{"--samples", "99999999999999999999"}, "between 1 and 32"},
