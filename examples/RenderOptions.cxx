@@ -43,8 +43,8 @@ void declare(CLI::App& app, RenderOptions& options, Texts& texts)
       ->type_name("auto|zpass|zfail")
       ->default_str("auto");
   app.add_option("--silhouette", texts.silhouette, "how silhouettes are found")
-      ->type_name("brute-force")
-      ->default_str("brute-force");
+      ->type_name("auto|brute-force|hierarchical")
+      ->default_str("auto");
   app.add_option("--compositing", texts.compositing, "how light and shadow are put together")
       ->type_name("mask|additive")
       ->default_str("mask");
@@ -151,7 +151,7 @@ const std::vector<std::string>& stencilNames()
 
 const std::vector<std::string>& silhouetteNames()
 {
-  static const std::vector<std::string> names = {"brute-force"};
+  static const std::vector<std::string> names = {"auto", "brute-force", "hierarchical"};
   return names;
 }
 

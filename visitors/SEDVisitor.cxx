@@ -66,6 +66,10 @@ void SEDVisitor::apply(SEDGeode& geode)
   {
     PathLightState& state = path.lights[light.index];
     const bool wanted = state.faced && state.plan.count != StencilCount::Skip;
+    if (wanted)
+    {
+      ++this->usedMethods[state.method];
+    }
     if (wanted && !(state.extruded && state.extrudedPlan.hasFacesOf(state.plan)))
     {
       this->refreshVolume(geode.getGeometry(), state);
@@ -100,10 +104,12 @@ void SEDVisitor::face(SEDGeode& geode, PathState& path)
     {
       continue;
     }
-    if (!state.faced || state.lightMC != *lightMC)
+    const SilhouetteMethod method = this->finder.getMethod(geometry);
+    if (!state.faced || state.lightMC != *lightMC || state.method != method)
     {
       state.lightMC = *lightMC;
-      state.facing = computeFacing(geometry, *lightMC);
+      state.method = method;
+      this->finder.face(geometry, *lightMC, state.facing);
       state.faced = true;
       state.extruded = false;
       facingChanged = true;

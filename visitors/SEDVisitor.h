@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "Light.h"
@@ -37,6 +38,9 @@ public:
 
   int getRebuiltVolumes() const { return this->rebuiltVolumes; }
 
+  /// How many of the volumes to be drawn, kept ones included, each method has found.
+  const std::map<SilhouetteMethod, int>& getUsedMethods() const { return this->usedMethods; }
+
 private:
   void face(SEDGeode& geode, PathState& path);
   void refreshVolume(const SEDGeometry& geometry, PathLightState& state);
@@ -45,6 +49,7 @@ private:
   const std::vector<Light>& lights;
   const SilhouetteFinder& finder;
   int rebuiltVolumes = 0;
+  std::map<SilhouetteMethod, int> usedMethods;
 };
 
 } // namespace shadow

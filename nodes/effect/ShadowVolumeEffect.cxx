@@ -75,6 +75,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   SEDVisitor extruder(SEDVisitor::Stage::Extrude, lights, *finder);
   this->accept(extruder);
   this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
+  this->statistics.usedMethods = extruder.getUsedMethods();
   this->statistics.silhouetteMilliseconds += stage.getMilliseconds();
 
   stage = {};

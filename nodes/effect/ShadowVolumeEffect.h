@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -38,7 +39,7 @@ public:
   struct Settings
   {
     StencilMethod stencilMethod = StencilMethod::Auto;
-    SilhouetteMethod silhouetteMethod = SilhouetteMethod::BruteForce;
+    SilhouetteMethod silhouetteMethod = SilhouetteMethod::Auto;
     int samples = 1;
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
@@ -52,6 +53,7 @@ public:
     int casters = 0;
     int zFailCasters = 0;
     int rebuiltVolumes = 0;
+    std::map<SilhouetteMethod, int> usedMethods; ///< casters that each method was used for
     std::set<CasterCuller::Skipped> skipped;
     double silhouetteMilliseconds = 0.0;
     double prePassMilliseconds = 0.0;

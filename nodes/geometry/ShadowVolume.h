@@ -83,9 +83,12 @@ struct ShadowVolumeOptions
 /// @param lightMC  light position relative to the geometry's origin, in model units (w = 1), or the direction
 ///                 towards a directional light (w = 0)
 /// @pre            the light's coordinates are zero or of magnitude 1e-150 to 1e150
-/// @par Cost       O(triangles); reads 32 bytes a triangle
+/// @par Cost       O(triangles); reads 16 bytes a triangle
 /// @par Source     Shi 2006, chapter 3.1; Shewchuk 1997, see ExactOrientation.h
 LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC);
+
+/// The same, in the memory that @p facing has.
+void computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing);
 
 /// Casting::LightFacing when that is enough for this mesh and light: the mesh is closed and the light is
 /// outside its bounding box, as every directional light is. Inside the box the light may be inside the mesh,

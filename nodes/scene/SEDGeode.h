@@ -15,6 +15,7 @@
 #include "NodeVisitor.h"
 #include "SEDGeometry.h"
 #include "ShadowVolume.h"
+#include "SilhouetteFinder.h"
 
 namespace shadow
 {
@@ -51,10 +52,11 @@ struct CasterPlan
 struct PathLightState
 {
   glm::dvec4 lightMC{0.0}; ///< relative to the geometry's origin; what facing and volume were built for
-  bool faced = false;      ///< facing belongs to lightMC
-  bool extruded = false;   ///< volumes belong to lightMC and plan
-  CasterPlan plan;         ///< for the coming draw
-  CasterPlan extrudedPlan; ///< what volumes were built for
+  SilhouetteMethod method = SilhouetteMethod::Auto; ///< what found facing and volumes
+  bool faced = false;                               ///< facing belongs to lightMC
+  bool extruded = false;                            ///< volumes belong to lightMC and plan
+  CasterPlan plan;                                  ///< for the coming draw
+  CasterPlan extrudedPlan;                          ///< what volumes were built for
   LightFacing facing;
   std::vector<ShadowVolume> volumes; ///< one; more when a ray could enter it over 255 times
   std::uint64_t revision = 0;        ///< another value whenever volumes changed; unique over all geodes

@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
+#include "SEDGeometry.h"
 #include "ShadowVolume.h"
 
 namespace shadow
@@ -12,7 +15,9 @@ namespace shadow
 /// The silhouette methods a user can choose from.
 enum class SilhouetteMethod
 {
-  BruteForce = 0 ///< facing of every triangle, then every edge (Shi 2006, chapter 3.2)
+  Auto = 0,    ///< the faster one for the size of the mesh
+  BruteForce,  ///< facing of every triangle, then every edge (Shi 2006, chapter 3.2)
+  Hierarchical ///< only clusters of triangles that do not face the light as one
 };
 
 /// Finds the boundary between light and shadow on a mesh. One subclass for each published method.
@@ -20,6 +25,23 @@ class SilhouetteFinder
 {
 public:
   virtual ~SilhouetteFinder() = default;
+
+  /// The method that is used for a geometry: what makeSilhouetteFinder() was asked for, or what Auto chooses.
+  virtual SilhouetteMethod getMethod(const SEDGeometry& geometry) const
+  {
+    static_cast<void>(geometry);
+    return this->method;
+  }
+
+  /// How each triangle faces a light, as computeFacing() tells: the same bits whatever the method. find() may
+  /// be faster with what the same finder has written here.
+  ///
+  /// @param lightMC  relative to the geometry's origin; w = 0: direction towards the light
+  /// @param facing   its memory is used again
+  virtual void face(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing) const
+  {
+    computeFacing(geometry, lightMC, facing);
+  }
 
   /// Directed edges that bound the casting triangles, wound as these wind them.
   ///
@@ -36,7 +58,15 @@ public:
   ///        from one another count as one
   virtual std::vector<SilhouetteEdge> find(const SEDGeometry& geometry, const LightFacing& facing,
                                            Casting casting) const = 0;
+
+private:
+  friend std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method);
+
+  SilhouetteMethod method = SilhouetteMethod::BruteForce;
 };
+
+/// Every method, in the order of their values.
+const std::vector<SilhouetteMethod>& getSilhouetteMethods();
 
 /// The method's name on a command line: "brute-force".
 std::string toString(SilhouetteMethod method);

@@ -69,16 +69,21 @@ public:
   /// How silhouettes are found.
   enum SilhouetteMethods
   {
-    SILHOUETTE_BRUTE_FORCE =
-        0 ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+    SILHOUETTE_AUTO = 0,    ///< brute force for small meshes, hierarchical for large ones
+    SILHOUETTE_BRUTE_FORCE, ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+    SILHOUETTE_HIERARCHICAL ///< on the CPU, skipping clusters of triangles that face the light as one
   };
 
   ///@{
   /**
-   * The silhouette method. All methods give the same picture. Default: SILHOUETTE_BRUTE_FORCE.
+   * The silhouette method. All methods give the same picture. Auto (default) takes the one that is faster
+   * for the size of each caster.
    */
-  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_BRUTE_FORCE);
+  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_AUTO, SILHOUETTE_HIERARCHICAL);
   vtkGetMacro(SilhouetteMethod, int);
+  void SetSilhouetteMethodToAuto() { this->SetSilhouetteMethod(SILHOUETTE_AUTO); }
+  void SetSilhouetteMethodToBruteForce() { this->SetSilhouetteMethod(SILHOUETTE_BRUTE_FORCE); }
+  void SetSilhouetteMethodToHierarchical() { this->SetSilhouetteMethod(SILHOUETTE_HIERARCHICAL); }
   ///@}
 
   /// How light and shadow are put together.
@@ -202,6 +207,7 @@ public:
   int GetNumberOfCasters() const;        ///< whose volume was drawn
   int GetNumberOfZFailCasters() const;   ///< of these, by z-fail
   int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before
+  int GetNumberOfCastersFoundBy(int silhouetteMethod) const; ///< of these, what Auto has chosen
   int GetNumberOfSkippedCasters() const; ///< lines of GetSkippedCaster(): one for each caster and reason
   std::string GetSkippedCaster(int index) const; ///< "name: reason", or "" when there is no such index
   ///@}
@@ -259,7 +265,7 @@ private:
   void RenderShadowed(const vtkRenderState* s);
 
   int StencilMethod = STENCIL_AUTO;
-  int SilhouetteMethod = SILHOUETTE_BRUTE_FORCE;
+  int SilhouetteMethod = SILHOUETTE_AUTO;
   int Compositing = COMPOSITING_MASK;
   int Scope = SCOPE_AUTO;
   int Samples = 1;

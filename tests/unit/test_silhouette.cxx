@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -172,7 +173,13 @@ TEST(Silhouette, Cube_HasSixEdgesSeenFromACorner)
 TEST(Silhouette, Methods_HaveNames)
 {
   EXPECT_EQ(toString(SilhouetteMethod::BruteForce), "brute-force");
-  EXPECT_NE(makeSilhouetteFinder(SilhouetteMethod::BruteForce), nullptr);
+  std::set<std::string> names;
+  for (const SilhouetteMethod method : getSilhouetteMethods())
+  {
+    EXPECT_NE(makeSilhouetteFinder(method), nullptr);
+    names.insert(toString(method));
+  }
+  EXPECT_EQ(names.size(), getSilhouetteMethods().size());
 }
 
 } // namespace shadow::test
