@@ -39,7 +39,7 @@ void shiftBack(std::vector<std::uint32_t>& begins)
 
 EdgeTable::Code makeCode(std::uint32_t triangle, std::uint32_t side)
 {
-  return static_cast<EdgeTable::Code>((triangle & 63u) << 2 | side);
+  return static_cast<EdgeTable::Code>(side << 6 | (triangle & 63u));
 }
 
 } // namespace
@@ -73,8 +73,8 @@ EdgeTable makeEdgeTable(const std::vector<Edge>& edges,
   sumUp(table.outerBegins);
   table.innerFirst.assign(table.innerBegins.back() + EdgeTable::padding, 0);
   table.innerSecond.assign(table.innerBegins.back() + EdgeTable::padding, 0);
-  table.outerFirst.resize(table.outerBegins.back());
-  table.outerSecond.resize(table.outerBegins.back());
+  table.outerFirst.assign(table.outerBegins.back() + EdgeTable::padding, 0);
+  table.outerSecond.assign(table.outerBegins.back() + EdgeTable::padding, 0);
   table.borders.reserve(borders);
 
   for (const Edge& edge : edges)
@@ -139,14 +139,14 @@ Edge EdgeList::makeEdge(std::size_t index, std::size_t word) const
                  base + EdgeTable::triangleOf(table.innerSecond[index])};
     side = EdgeTable::sideOf(table.innerFirst[index]);
   }
-  else if (const std::size_t outer = index - table.countInner(); outer < table.outerSecond.size())
+  else if (const std::size_t outer = index - table.countInner(); outer < table.countOuter())
   {
     triangles = {base + EdgeTable::triangleOf(table.outerFirst[outer]), table.outerSecond[outer]};
     side = EdgeTable::sideOf(table.outerFirst[outer]);
   }
   else
   {
-    const std::uint32_t border = table.borders[outer - table.outerSecond.size()];
+    const std::uint32_t border = table.borders[outer - table.countOuter()];
     triangles = {border / 3, noTriangle};
     side = border % 3;
   }

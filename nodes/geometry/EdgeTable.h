@@ -30,14 +30,14 @@ struct Edge
 /// of a mesh whose triangles are sorted
 struct EdgeTable
 {
-  /// The number of a triangle in its word, times 4, plus a side of it.
+  /// The number of a triangle in its word, plus 64 times a side of it.
   using Code = std::uint8_t;
 
-  /// So many codes may be read beyond the last inner edge.
+  /// So many entries, all zero, stand after those of the last inner and the last outer edge.
   static constexpr std::size_t padding = 32;
 
-  static std::uint32_t triangleOf(Code code) { return code >> 2; }
-  static std::uint32_t sideOf(Code code) { return code & 3u; }
+  static std::uint32_t triangleOf(Code code) { return code & 63u; }
+  static std::uint32_t sideOf(Code code) { return code >> 6; }
 
   /// @name  Entries [begins[word], begins[word + 1]) belong to the word
   /// @{
@@ -52,10 +52,8 @@ struct EdgeTable
   std::vector<std::uint32_t> borders; ///< 3 * triangle + side, rising
 
   std::size_t countInner() const { return this->innerBegins.empty() ? 0 : this->innerBegins.back(); }
-  std::size_t countEdges() const
-  {
-    return this->countInner() + this->outerSecond.size() + this->borders.size();
-  }
+  std::size_t countOuter() const { return this->outerBegins.empty() ? 0 : this->outerBegins.back(); }
+  std::size_t countEdges() const { return this->countInner() + this->countOuter() + this->borders.size(); }
 
   /// Bytes held by the arrays.
   std::size_t getMemorySize() const;

@@ -18,19 +18,19 @@ struct DifferingEdge
   std::uint32_t second; ///< triangle
 };
 
-/// Appends the edges of the words [firstWord, endWord), borders left out, whose triangles differ in one of
-/// the bits.
+/// Appends edges of the words [firstWord, endWord) whose triangles differ in one of the bits.
 ///
 /// @param towards,away  words of FacingBits; @p away may be null: only @p towards is compared then
-/// @par Cost  reads 2 bytes and two bits an inner edge, 5 bytes and two bits an outer one
 using EdgeKernel = void (*)(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
                             std::size_t firstWord, std::size_t endWord, std::vector<DifferingEdge>& found);
 
-EdgeKernel getEdgeKernel(InstructionSet set);
+/// @par Cost  reads 2 bytes and two bits an inner edge, 5 bytes and two bits an outer one
+struct EdgeKernels
+{
+  EdgeKernel compareInner;
+  EdgeKernel compareOuter;
+};
 
-/// The same for the outer edges of one word. The inner ones cannot differ where all bits of the word are
-/// equal.
-void compareOuterEdges(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
-                       std::size_t word, std::vector<DifferingEdge>& found);
+EdgeKernels getEdgeKernels(InstructionSet set);
 
 } // namespace shadow

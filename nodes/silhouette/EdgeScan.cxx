@@ -43,6 +43,39 @@ bool isDecided(const LightFacing& facing)
   return all == ~std::uint64_t{0};
 }
 
+std::vector<DifferingEdge> compareAll(const SEDGeometry& geometry, const LightFacing& facing, Casting casting)
+{
+  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const std::size_t words = facing.towards.getWords().size();
+  const std::uint64_t* towards = facing.towards.getWords().data();
+  const bool both = casting == Casting::EveryTriangle && !isDecided(facing);
+  const std::uint64_t* away = both ? facing.away.getWords().data() : nullptr;
+  std::vector<DifferingEdge> differing;
+  kernels.compareInner(geometry.getEdgeTable(), towards, away, 0, words, differing);
+  kernels.compareOuter(geometry.getEdgeTable(), towards, away, 0, words, differing);
+  return differing;
+}
+
+std::vector<DifferingEdge> compareWords(const SEDGeometry& geometry, const LightFacing& facing,
+                                        Casting casting, const std::vector<std::uint32_t>& words)
+{
+  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const std::uint64_t* towards = facing.towards.getWords().data();
+  const bool both = casting == Casting::EveryTriangle;
+  const std::uint64_t* away = both ? facing.away.getWords().data() : nullptr;
+  std::vector<DifferingEdge> differing;
+  for (const std::uint32_t word : words)
+  {
+    // No inner edge differs where all triangles of the word face alike.
+    if (!isUniform(towards[word]) || (both && !isUniform(away[word])))
+    {
+      kernels.compareInner(geometry.getEdgeTable(), towards, away, word, std::size_t{word} + 1, differing);
+    }
+    kernels.compareOuter(geometry.getEdgeTable(), towards, away, word, std::size_t{word} + 1, differing);
+  }
+  return differing;
+}
+
 /// Adds an edge when the sum over its triangles of how they run through it, each turned to the light, is not
 /// zero.
 void addEdge(const SEDGeometry& geometry, std::uint32_t first, std::uint32_t side, int sum,
@@ -62,40 +95,18 @@ void addEdge(const SEDGeometry& geometry, std::uint32_t first, std::uint32_t sid
 std::vector<SilhouetteEdge> scanEdges(const SEDGeometry& geometry, const LightFacing& facing, Casting casting,
                                       const std::vector<std::uint32_t>* words)
 {
-  const EdgeTable& table = geometry.getEdgeTable();
-  const EdgeKernel compare = getEdgeKernel(getInstructionSets().back());
-  const std::uint64_t* towards = facing.towards.getWords().data();
-  std::vector<DifferingEdge> differing;
-  if (words == nullptr)
-  {
-    const bool both = casting == Casting::EveryTriangle && !isDecided(facing);
-    compare(table, towards, both ? facing.away.getWords().data() : nullptr, 0,
-            facing.towards.getWords().size(), differing);
-  }
-  else
-  {
-    const std::uint64_t* away = casting == Casting::EveryTriangle ? facing.away.getWords().data() : nullptr;
-    for (const std::uint32_t word : *words)
-    {
-      if (isUniform(towards[word]) && (away == nullptr || isUniform(away[word])))
-      {
-        compareOuterEdges(table, towards, away, word, differing);
-      }
-      else
-      {
-        compare(table, towards, away, word, word + 1, differing);
-      }
-    }
-  }
-
+  const std::vector<DifferingEdge> differing = words == nullptr
+                                                   ? compareAll(geometry, facing, casting)
+                                                   : compareWords(geometry, facing, casting, *words);
+  const std::vector<std::uint32_t>& borders = geometry.getEdgeTable().borders;
   std::vector<SilhouetteEdge> silhouette;
-  silhouette.reserve(differing.size() + table.borders.size());
+  silhouette.reserve(differing.size() + borders.size());
   for (const DifferingEdge& edge : differing)
   {
     const int sum = getSign(facing, casting, edge.first) - getSign(facing, casting, edge.second);
     addEdge(geometry, edge.first, edge.side, sum, silhouette);
   }
-  for (const std::uint32_t border : table.borders)
+  for (const std::uint32_t border : borders)
   {
     addEdge(geometry, border / 3, border % 3, getSign(facing, casting, border / 3), silhouette);
   }

@@ -5,7 +5,6 @@
 //   the project
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -22,19 +21,14 @@
 
 #include "ShadowMap.h"
 #include "ShadowScene.h"
+#include "Timing.h"
 
 namespace
 {
 
+using shadow::bench::measure;
+using shadow::bench::median;
 using shadow::truth::ShadowScene;
-using Clock = std::chrono::steady_clock;
-
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 vtkSmartPointer<vtkAlgorithm> makeSource(const std::string& model)
 {
@@ -86,10 +80,12 @@ public:
       this->scene.renderer->SetPass(pass);
     }
     this->moveLight();
-    const Clock::time_point start = Clock::now();
-    this->scene.window->Render();
-    this->scene.window->WaitForCompletion();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return measure(
+        [this]
+        {
+          this->scene.window->Render();
+          this->scene.window->WaitForCompletion();
+        });
   }
 
   ShadowScene scene;

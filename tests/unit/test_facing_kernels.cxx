@@ -130,8 +130,10 @@ TEST(InstructionSets, AnyFacing_GiveTheSameEdges)
       for (const InstructionSet set : getInstructionSets())
       {
         std::vector<DifferingEdge> found;
-        getEdgeKernel(set)(geometry.getEdgeTable(), towards.data(), both ? away.data() : nullptr, 0, words,
-                           found);
+        const EdgeKernels kernels = getEdgeKernels(set);
+        const std::uint64_t* second = both ? away.data() : nullptr;
+        kernels.compareInner(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
+        kernels.compareOuter(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
         ASSERT_EQ(found.size(), expected.size()) << static_cast<int>(set);
         for (DifferingEdge& edge : found)
         {
