@@ -12,6 +12,7 @@
 #include "SVStateVisitor.h"
 #include "SceneBoundsVisitor.h"
 #include "ShadowPrograms.h"
+#include "SmpParallelFor.h"
 #include "Stopwatch.h"
 
 namespace shadow
@@ -60,7 +61,8 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   }
 
   Stopwatch stage;
-  const std::unique_ptr<SilhouetteFinder> finder = makeSilhouetteFinder(settings.silhouetteMethod);
+  const std::unique_ptr<SilhouetteFinder> finder =
+      makeSilhouetteFinder(settings.silhouetteMethod, makeSmpParallelFor());
   this->face(view, lights, settings, *finder);
   this->statistics.silhouetteMilliseconds = stage.getMilliseconds();
 

@@ -1,7 +1,6 @@
 #include "EdgeScan.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdlib>
 
 #include "EdgeKernel.h"
@@ -11,18 +10,6 @@ namespace shadow
 
 namespace
 {
-
-/// 1 when the triangle casts as it is oriented, -1 when it casts turned over, 0 when it does not cast.
-int getSign(const LightFacing& facing, Casting casting, std::uint32_t triangle)
-{
-  const int towards = facing.towards.test(triangle) ? 1 : 0;
-  return casting == Casting::LightFacing ? towards : towards - (facing.away.test(triangle) ? 1 : 0);
-}
-
-bool isUniform(std::uint64_t word)
-{
-  return word == 0 || word == ~std::uint64_t{0};
-}
 
 /// Does every triangle have one of its bits? Then triangles differ in both bits or in none.
 bool isDecided(const LightFacing& facing)
@@ -43,74 +30,91 @@ bool isDecided(const LightFacing& facing)
   return all == ~std::uint64_t{0};
 }
 
-std::vector<DifferingEdge> compareAll(const SEDGeometry& geometry, const LightFacing& facing, Casting casting)
+} // namespace
+
+EdgeScan::EdgeScan(const SEDGeometry& theGeometry, const LightFacing& theFacing, Casting theCasting)
+    : geometry(theGeometry), facing(theFacing), casting(theCasting),
+      towards(theFacing.towards.getWords().data()), away(nullptr)
 {
-  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
-  const std::size_t words = facing.towards.getWords().size();
-  const std::uint64_t* towards = facing.towards.getWords().data();
-  const bool both = casting == Casting::EveryTriangle && !isDecided(facing);
-  const std::uint64_t* away = both ? facing.away.getWords().data() : nullptr;
-  std::vector<DifferingEdge> differing;
-  kernels.compareInner(geometry.getEdgeTable(), towards, away, 0, words, differing);
-  kernels.compareOuter(geometry.getEdgeTable(), towards, away, 0, words, differing);
-  return differing;
+  // Looking at all words takes less time than comparing all edges twice, but more than a hierarchy may.
+  if (theCasting == Casting::EveryTriangle && (theFacing.mixedWords || !isDecided(theFacing)))
+  {
+    this->away = theFacing.away.getWords().data();
+  }
 }
 
-std::vector<DifferingEdge> compareWords(const SEDGeometry& geometry, const LightFacing& facing,
-                                        Casting casting, const std::vector<std::uint32_t>& words)
+/// 1 when the triangle casts as it is oriented, -1 when it casts turned over, 0 when it does not cast.
+int EdgeScan::getSign(std::uint32_t triangle) const
 {
-  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
-  const std::uint64_t* towards = facing.towards.getWords().data();
-  const bool both = casting == Casting::EveryTriangle;
-  const std::uint64_t* away = both ? facing.away.getWords().data() : nullptr;
-  std::vector<DifferingEdge> differing;
-  for (const std::uint32_t word : words)
-  {
-    // No inner edge differs where all triangles of the word face alike.
-    if (!isUniform(towards[word]) || (both && !isUniform(away[word])))
-    {
-      kernels.compareInner(geometry.getEdgeTable(), towards, away, word, std::size_t{word} + 1, differing);
-    }
-    kernels.compareOuter(geometry.getEdgeTable(), towards, away, word, std::size_t{word} + 1, differing);
-  }
-  return differing;
+  const int sign = this->facing.towards.test(triangle) ? 1 : 0;
+  return this->casting == Casting::LightFacing ? sign : sign - (this->facing.away.test(triangle) ? 1 : 0);
 }
 
 /// Adds an edge when the sum over its triangles of how they run through it, each turned to the light, is not
 /// zero.
-void addEdge(const SEDGeometry& geometry, std::uint32_t first, std::uint32_t side, int sum,
-             std::vector<SilhouetteEdge>& silhouette)
+void EdgeScan::add(std::uint32_t first, std::uint32_t side, int sum,
+                   std::vector<SilhouetteEdge>& silhouette) const
 {
   if (sum != 0)
   {
     // Looked up, as which way an edge runs is nothing that a processor could foresee.
-    const std::array<std::uint32_t, 2> ends = geometry.getSide(first, side);
+    const std::array<std::uint32_t, 2> ends = this->geometry.getSide(first, side);
     const std::size_t from = sum < 0 ? 1 : 0;
     silhouette.push_back({ends[from], ends[1 - from], static_cast<std::uint32_t>(std::abs(sum))});
   }
 }
 
-} // namespace
-
-std::vector<SilhouetteEdge> scanEdges(const SEDGeometry& geometry, const LightFacing& facing, Casting casting,
-                                      const std::vector<std::uint32_t>* words)
+/// No inner edge differs where all triangles of the word face alike.
+bool EdgeScan::isUniform(std::uint32_t word) const
 {
-  const std::vector<DifferingEdge> differing = words == nullptr
-                                                   ? compareAll(geometry, facing, casting)
-                                                   : compareWords(geometry, facing, casting, *words);
-  const std::vector<std::uint32_t>& borders = geometry.getEdgeTable().borders;
-  std::vector<SilhouetteEdge> silhouette;
-  silhouette.reserve(differing.size() + borders.size());
+  const auto isOne = [](std::uint64_t bits) { return bits == 0 || bits == ~std::uint64_t{0}; };
+  return isOne(this->towards[word]) && (this->away == nullptr || isOne(this->away[word]));
+}
+
+void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
+                        std::vector<SilhouetteEdge>& silhouette) const
+{
+  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const EdgeTable& table = this->geometry.getEdgeTable();
+  std::vector<DifferingEdge> differing;
+  kernels.compareInner(table, this->towards, this->away, firstWord, endWord, differing);
+  kernels.compareOuter(table, this->towards, this->away, firstWord, endWord, differing);
+  this->addDiffering(differing, silhouette);
+}
+
+void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
+                        std::vector<SilhouetteEdge>& silhouette) const
+{
+  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const EdgeTable& table = this->geometry.getEdgeTable();
+  std::vector<DifferingEdge> differing;
+  for (const std::uint32_t word : words)
+  {
+    if (!this->isUniform(word))
+    {
+      kernels.compareInner(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    }
+    kernels.compareOuter(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+  }
+  this->addDiffering(differing, silhouette);
+}
+
+void EdgeScan::addDiffering(const std::vector<DifferingEdge>& differing,
+                            std::vector<SilhouetteEdge>& silhouette) const
+{
+  silhouette.reserve(silhouette.size() + differing.size() + this->geometry.getEdgeTable().borders.size());
   for (const DifferingEdge& edge : differing)
   {
-    const int sum = getSign(facing, casting, edge.first) - getSign(facing, casting, edge.second);
-    addEdge(geometry, edge.first, edge.side, sum, silhouette);
+    this->add(edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second), silhouette);
   }
-  for (const std::uint32_t border : borders)
+}
+
+void EdgeScan::addBorders(std::vector<SilhouetteEdge>& silhouette) const
+{
+  for (const std::uint32_t border : this->geometry.getEdgeTable().borders)
   {
-    addEdge(geometry, border / 3, border % 3, getSign(facing, casting, border / 3), silhouette);
+    this->add(border / 3, border % 3, this->getSign(border / 3), silhouette);
   }
-  return silhouette;
 }
 
 } // namespace shadow

@@ -36,7 +36,18 @@ void HierarchicalSilhouette::face(const SEDGeometry& geometry, const glm::dvec4&
 std::vector<SilhouetteEdge> HierarchicalSilhouette::find(const SEDGeometry& geometry,
                                                          const LightFacing& facing, Casting casting) const
 {
-  return scanEdges(geometry, facing, casting, facing.mixedWords ? &*facing.mixedWords : nullptr);
+  const EdgeScan scan(geometry, facing, casting);
+  std::vector<SilhouetteEdge> silhouette;
+  if (facing.mixedWords)
+  {
+    scan.addWords(*facing.mixedWords, silhouette);
+  }
+  else
+  {
+    scan.addWords(0, geometry.getPlaneBlocks().size(), silhouette);
+  }
+  scan.addBorders(silhouette);
+  return silhouette;
 }
 
 } // namespace shadow

@@ -1,6 +1,7 @@
 #include "SilhouetteFinder.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "AutoSilhouette.h"
 #include "BruteForceSilhouette.h"
@@ -12,14 +13,14 @@ namespace shadow
 namespace
 {
 
-std::unique_ptr<SilhouetteFinder> construct(SilhouetteMethod method)
+std::unique_ptr<SilhouetteFinder> construct(SilhouetteMethod method, ParallelFor parallelFor)
 {
   switch (method)
   {
   case SilhouetteMethod::Auto:
     return std::make_unique<AutoSilhouette>();
   case SilhouetteMethod::BruteForce:
-    return std::make_unique<BruteForceSilhouette>();
+    return std::make_unique<BruteForceSilhouette>(std::move(parallelFor));
   case SilhouetteMethod::Hierarchical:
     return std::make_unique<HierarchicalSilhouette>();
   }
@@ -49,9 +50,9 @@ std::string toString(SilhouetteMethod method)
   throw std::invalid_argument("unknown silhouette method");
 }
 
-std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method)
+std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method, ParallelFor parallelFor)
 {
-  std::unique_ptr<SilhouetteFinder> finder = construct(method);
+  std::unique_ptr<SilhouetteFinder> finder = construct(method, std::move(parallelFor));
   finder->method = method;
   return finder;
 }

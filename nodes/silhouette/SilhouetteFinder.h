@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "ParallelFor.h"
 #include "SEDGeometry.h"
 #include "ShadowVolume.h"
 
@@ -60,7 +61,8 @@ public:
                                            Casting casting) const = 0;
 
 private:
-  friend std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method);
+  friend std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method,
+                                                                ParallelFor parallelFor);
 
   SilhouetteMethod method = SilhouetteMethod::BruteForce;
 };
@@ -72,6 +74,8 @@ const std::vector<SilhouetteMethod>& getSilhouetteMethods();
 std::string toString(SilhouetteMethod method);
 
 /// A finder for the method.
-std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method);
+///
+/// @param parallelFor  threads for methods that gain from them; none: the calling thread alone
+std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method, ParallelFor parallelFor = {});
 
 } // namespace shadow

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <ctime>
 #include <vector>
 
 namespace shadow::bench
@@ -25,22 +24,6 @@ double measure(const Call& call)
   const Clock::time_point start = Clock::now();
   call();
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-/// Milliseconds that a call keeps the processor busy, on the calling thread. What else runs on the machine
-/// takes caches from it, but no time.
-template <typename Call>
-double measureThread(const Call& call)
-{
-  const auto now = []
-  {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-  };
-  const double start = now();
-  call();
-  return now() - start;
 }
 
 } // namespace shadow::bench

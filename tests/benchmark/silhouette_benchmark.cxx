@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -19,6 +20,7 @@
 #include <vtkPolyDataSilhouette.h>
 
 #include "SilhouetteFinder.h"
+#include "SmpParallelFor.h"
 #include "TestMeshes.h"
 #include "Timing.h"
 
@@ -28,7 +30,7 @@ namespace
 using shadow::SEDGeometry;
 using shadow::SilhouetteMethod;
 using shadow::TriangleSoup;
-using shadow::bench::measureThread;
+using shadow::bench::measure;
 using shadow::bench::median;
 
 /// 4 * across^2 triangles.
@@ -81,14 +83,14 @@ private:
 class Run
 {
 public:
-  Run(const SEDGeometry& theGeometry, SilhouetteMethod method)
-      : geometry(theGeometry), finder(makeSilhouetteFinder(method))
+  Run(const SEDGeometry& theGeometry, SilhouetteMethod method, shadow::ParallelFor parallelFor = {})
+      : geometry(theGeometry), finder(makeSilhouetteFinder(method, std::move(parallelFor)))
   {
   }
 
   double measureOnce(const glm::dvec4& lightMC)
   {
-    this->milliseconds.push_back(measureThread([&] { this->find(lightMC); }));
+    this->milliseconds.push_back(measure([&] { this->find(lightMC); }));
     return this->milliseconds.back();
   }
 
@@ -131,7 +133,7 @@ public:
   void measureOnce()
   {
     this->milliseconds.push_back(
-        measureThread([&] { std::memcpy(this->to.data(), this->from.data(), this->from.size()); }));
+        measure([&] { std::memcpy(this->to.data(), this->from.data(), this->from.size()); }));
     benchmark::DoNotOptimize(this->to.data());
   }
 
@@ -175,7 +177,7 @@ public:
   void measureOnce(const glm::dvec3& lightWC)
   {
     this->filter->SetOrigin(lightWC.x, lightWC.y, lightWC.z);
-    this->milliseconds.push_back(measureThread([&] { this->filter->Update(); }));
+    this->milliseconds.push_back(measure([&] { this->filter->Update(); }));
   }
 
   double getMedian() const { return median(this->milliseconds); }
@@ -194,13 +196,15 @@ void setRates(benchmark::State& state, std::size_t triangles, std::size_t bytes)
   }
 }
 
-/// Brute force and Auto beside VTK and beside a memory copy; time is that of brute force.
+/// Brute force, alone and with VTK's threads, and Auto beside VTK and beside a memory copy; time is that of
+/// brute force alone.
 void againstVtk(benchmark::State& state, const TriangleSoup& soup)
 {
   const SEDGeometry geometry = shadow::test::build(soup);
   const std::size_t bytes = countBytes(geometry);
   VtkSilhouette vtk(soup);
   Run bruteForce(geometry, SilhouetteMethod::BruteForce);
+  Run threaded(geometry, SilhouetteMethod::BruteForce, shadow::makeSmpParallelFor());
   Run best(geometry, SilhouetteMethod::Auto);
   MemoryCopy copy(bytes);
   MemoryCopy copyFromMemory(std::size_t{1} << 29);
@@ -211,12 +215,16 @@ void againstVtk(benchmark::State& state, const TriangleSoup& soup)
     const glm::dvec4 lightMC = light.move();
     vtk.measureOnce(glm::dvec3(lightMC) + geometry.getOrigin());
     copyFromMemory.measureOnce();
-    cold.push_back(measureThread([&] { bruteForce.find(lightMC); }));
+    cold.push_back(measure([&] { bruteForce.find(lightMC); }));
     // What stands beside each other is measured with the same caches: as the run before left them.
     double sum = 0.0;
     for (int turn = 0; turn < 10; ++turn)
     {
       sum += bruteForce.measureOnce(light.move());
+    }
+    for (int turn = 0; turn < 10; ++turn)
+    {
+      threaded.measureOnce(light.move());
     }
     for (int turn = 0; turn < 10; ++turn)
     {
@@ -233,8 +241,10 @@ void againstVtk(benchmark::State& state, const TriangleSoup& soup)
   state.counters["vtk_ms"] = vtk.getMedian();
   state.counters["brute_ms"] = bruteForce.getMedian();
   state.counters["brute_cold_ms"] = median(cold);
+  state.counters["brute_threads_ms"] = threaded.getMedian();
   state.counters["auto_ms"] = best.getMedian();
   state.counters["vtk_over_brute"] = vtk.getMedian() / bruteForce.getMedian();
+  state.counters["vtk_over_brute_threads"] = vtk.getMedian() / threaded.getMedian();
   state.counters["vtk_over_auto"] = vtk.getMedian() / best.getMedian();
   state.counters["bytes_per_triangle"] =
       static_cast<double>(bytes) / static_cast<double>(geometry.getTriangles().size());

@@ -227,6 +227,42 @@ TEST(SilhouetteMethods, FacingFromElsewhere_GivesTheSameEdges)
   }
 }
 
+TEST(SilhouetteMethods, AnyOrderOfParts_GivesTheSameEdges)
+{
+  // Large enough for several parts; in the reverse order, as threads might take them.
+  const SEDGeometry geometry = build(makeTorus(1.0, 0.4, 600, 300));
+  std::size_t calls = 0;
+  const ParallelFor backwards = [&calls](std::size_t count, const auto& part)
+  {
+    for (std::size_t index = count; index > 0; --index)
+    {
+      part(index - 1, index);
+      ++calls;
+    }
+  };
+  LightFacing expected;
+  LightFacing facing;
+  for (const glm::dvec4& light : makeLights(geometry, 16, 7))
+  {
+    makeSilhouetteFinder(SilhouetteMethod::BruteForce)->face(geometry, light, expected);
+    for (const SilhouetteMethod method : getSilhouetteMethods())
+    {
+      const auto finder = makeSilhouetteFinder(method, backwards);
+      finder->face(geometry, light, facing);
+      EXPECT_TRUE(facing.towards.getWords() == expected.towards.getWords()) << toString(method);
+      EXPECT_TRUE(facing.away.getWords() == expected.away.getWords()) << toString(method);
+      for (const Casting casting : {Casting::LightFacing, Casting::EveryTriangle})
+      {
+        EXPECT_TRUE(
+            areSame(finder->find(geometry, facing, casting),
+                    makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, expected, casting)))
+            << toString(method);
+      }
+    }
+  }
+  EXPECT_GT(calls, 2u);
+}
+
 TEST(SilhouetteMethods, LightWithoutAPlace_LightsNothing)
 {
   const SEDGeometry geometry = build(makeTorus(1.0, 0.4, 40, 20));
