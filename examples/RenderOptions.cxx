@@ -43,8 +43,8 @@ void declare(CLI::App& app, RenderOptions& options, Texts& texts)
       ->type_name("auto|zpass|zfail")
       ->default_str("auto");
   app.add_option("--silhouette", texts.silhouette, "how silhouettes are found")
-      ->type_name("brute-force|edge-buffer|triangular|visible-nonvisible|hybrid")
-      ->default_str("brute-force");
+      ->type_name("auto|brute-force|edge-buffer|triangular|visible-nonvisible|hybrid|hierarchical")
+      ->default_str("auto");
   app.add_option("--compositing", texts.compositing, "how light and shadow are put together")
       ->type_name("mask|additive")
       ->default_str("mask");
@@ -151,8 +151,8 @@ const std::vector<std::string>& stencilNames()
 
 const std::vector<std::string>& silhouetteNames()
 {
-  static const std::vector<std::string> names = {"brute-force", "edge-buffer", "triangular",
-                                                 "visible-nonvisible", "hybrid"};
+  static const std::vector<std::string> names = {
+      "auto", "brute-force", "edge-buffer", "triangular", "visible-nonvisible", "hybrid", "hierarchical"};
   return names;
 }
 

@@ -9,6 +9,7 @@
 #include "GridOrigin.h"
 #include "ManifoldSplitter.h"
 #include "OutwardOrientation.h"
+#include "TriangleOrder.h"
 #include "VertexWelder.h"
 
 namespace shadow
@@ -41,13 +42,15 @@ std::optional<SEDGeometry> SEDGeometryBuilder::build(TriangleSoup soup, std::str
   {
     return std::nullopt;
   }
+  sortIntoPatches(this->geometry.triangles, this->geometry.positions);
   this->flipped.assign(this->geometry.triangles.size(), 0);
   this->connect();
-  orientOutwards(this->geometry.triangles, this->geometry.edges, this->geometry.positions, this->flipped);
+  orientOutwards(this->geometry.triangles, this->edges, this->geometry.positions, this->flipped);
   this->geometry.report.flippedTriangles =
       static_cast<std::size_t>(std::count(this->flipped.begin(), this->flipped.end(), std::uint8_t{1}));
-  this->computePlanes();
   this->countEdgesAndBounds();
+  this->computePlanes();
+  this->makeClusters();
   this->findCommonPlane();
   return std::move(this->geometry);
 }
@@ -165,7 +168,7 @@ bool SEDGeometryBuilder::connectManifold()
       return false;
     }
   }
-  this->geometry.edges = connector.readEdges();
+  this->edges = connector.readEdges();
   return true;
 }
 
@@ -197,7 +200,7 @@ void SEDGeometryBuilder::connectSplit()
     }
     connector.add(triangle);
   }
-  this->geometry.edges = connector.readEdges();
+  this->edges = connector.readEdges();
 }
 
 std::optional<SEDGeometry> buildSEDGeometry(TriangleSoup soup, const SEDGeometryOptions& options,

@@ -31,15 +31,17 @@ private:
   void connect();
   bool connectManifold();
   void connectSplit();
-  void computePlanes();
   void countEdgesAndBounds();
+  void computePlanes();
+  void makeClusters();
   void findCommonPlane();
   /// @}
 
-  void finishTriangle(std::uint32_t triangle, double& planeScale, double& positionScale);
+  void finishTriangle(std::uint32_t triangle);
 
   SEDGeometryOptions options;
   SEDGeometry geometry;
+  std::vector<Edge> edges;
   std::vector<std::uint8_t> pointUsed; ///< one a point
   std::vector<std::uint8_t> flipped;   ///< one a triangle
 };

@@ -70,9 +70,10 @@ class Drawing(CommandLine):
     def test_methods_give_the_same_mask(self):
         masks = []
         for i, options in enumerate((["--stencil", "zpass"], ["--stencil", "zfail"], ["--stencil", "auto"],
-                                     ["--compositing", "additive"], ["--silhouette", "brute-force"], ["--silhouette", "edge-buffer"],
-                                     ["--silhouette", "triangular"], ["--silhouette", "visible-nonvisible"],
-                                     ["--silhouette", "hybrid"])):
+                                     ["--compositing", "additive"], ["--silhouette", "brute-force"],
+                                     ["--silhouette", "edge-buffer"], ["--silhouette", "triangular"],
+                                     ["--silhouette", "visible-nonvisible"], ["--silhouette", "hybrid"],
+                                     ["--silhouette", "hierarchical"])):
             self.draw("cube.obj", "--mask", f"{i}.png", "--light", "point:-2,4,1", *options, *FROM_ABOVE)
             masks.append(self.shadow(f"{i}.png"))
         self.assertTrue(masks[0])
@@ -126,7 +127,7 @@ class Reporting(CommandLine):
         self.assertEqual(report["size"], [120, 90])
         self.assertEqual(report["models"], [{"file": "cube.obj", "triangles": 12}])
         self.assertIs(report["floor"], False)
-        self.assertEqual(report["settings"], {"stencil": "zfail", "silhouette": "brute-force",
+        self.assertEqual(report["settings"], {"stencil": "zfail", "silhouette": "auto",
                                               "compositing": "additive", "samples": 1})
         self.assertEqual(report["camera"]["projection"], "perspective")
         (frame,) = report["frames"]
@@ -135,6 +136,7 @@ class Reporting(CommandLine):
         self.assertEqual((frame["status"], frame["message"]), ("ok", ""))
         self.assertEqual(frame["shadowLights"], 1)
         self.assertEqual(frame["casters"]["drawn"] + len(frame["casters"]["skipped"]), 1)
+        self.assertEqual(frame["casters"]["foundBy"], {"brute-force": frame["casters"]["drawn"]})
         triangles = frame["triangles"]
         self.assertEqual(triangles["total"],
                          triangles["ambient"] + triangles["sides"] + triangles["caps"] + triangles["lighting"])

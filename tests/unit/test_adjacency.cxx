@@ -104,7 +104,7 @@ TEST(Adjacency, AnyMesh_RasterOrderIsSortedAndPlanesFollowTheOrientation)
       EXPECT_LT(key(raster[1]), key(raster[2]));
       const auto corners = getCorners(geometry, t);
       const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-      const TrianglePlane& plane = geometry.getPlanes()[t];
+      const TrianglePlane plane = geometry.getPlane(t);
       EXPECT_LE(glm::length(normal - plane.normal), 1e-12 * (1.0 + glm::length(normal)));
       for (const glm::dvec3& corner : corners)
       {
