@@ -19,6 +19,42 @@ struct Texts
   std::string size, camera, parallel, floor, stencil, silhouette, compositing, samples, frames;
 };
 
+struct Method
+{
+  std::string name;
+  std::string meaning;
+};
+
+const std::vector<Method>& silhouetteMethods()
+{
+  static const std::vector<Method> methods = {
+      {"auto", "brute-force for small meshes, hierarchical for large ones"},
+      {"brute-force", "facing of every triangle, then every edge, on the CPU"},
+      {"edge-buffer", "triangles flip bits at their edges"},
+      {"triangular", "TA: a set of directed edges in which opposite ones cancel"},
+      {"visible-nonvisible", "VnV: edges with one neighbour that faces the light"},
+      {"hybrid", "HSD: TA on polygons merged from coplanar triangles"},
+      {"hierarchical", "only clusters of triangles that do not face the light as one, on the CPU"},
+      {"facing-texture", "facing drawn into a texture by the GPU and read back"},
+      {"facing-texture-resident", "the same without reading it back"},
+      {"vertex-texture", "the state of every edge drawn into a texture by the GPU"},
+      {"vertex-extrusion", "every edge a quad, widened by the vertex shader"},
+      {"geometry-shader", "triangles with adjacency, extruded by the geometry shader"},
+      {"compute", "edges listed by compute shaders and drawn indirectly; needs GL 4.3"}};
+  return methods;
+}
+
+// One line a method.
+std::string describeSilhouetteMethods()
+{
+  std::string text = "how silhouettes are found; the mask is the same:";
+  for (const Method& method : silhouetteMethods())
+  {
+    text += "\n" + method.name + ": " + method.meaning;
+  }
+  return text;
+}
+
 void declare(CLI::App& app, RenderOptions& options, Texts& texts)
 {
   app.add_option("MODEL", options.models, "obj, ply, stl, vtp, vtk, gltf or glb; none: a built-in scene");
@@ -42,8 +78,8 @@ void declare(CLI::App& app, RenderOptions& options, Texts& texts)
   app.add_option("--stencil", texts.stencil, "how volumes are counted")
       ->type_name("auto|zpass|zfail")
       ->default_str("auto");
-  app.add_option("--silhouette", texts.silhouette, "how silhouettes are found")
-      ->type_name("auto|brute-force|edge-buffer|triangular|visible-nonvisible|hybrid|hierarchical")
+  app.add_option("--silhouette", texts.silhouette, describeSilhouetteMethods())
+      ->type_name("METHOD")
       ->default_str("auto");
   app.add_option("--compositing", texts.compositing, "how light and shadow are put together")
       ->type_name("mask|additive")
@@ -151,8 +187,15 @@ const std::vector<std::string>& stencilNames()
 
 const std::vector<std::string>& silhouetteNames()
 {
-  static const std::vector<std::string> names = {
-      "auto", "brute-force", "edge-buffer", "triangular", "visible-nonvisible", "hybrid", "hierarchical"};
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> list;
+    for (const Method& method : silhouetteMethods())
+    {
+      list.push_back(method.name);
+    }
+    return list;
+  }();
   return names;
 }
 

@@ -92,7 +92,7 @@ void ShadowRun::openWindow()
   if (!this->window->IsUsable())
   {
     throw UserError(
-        "there is no OSMesa context to draw into" +
+        "there is no OpenGL context to draw into" +
         (this->messages.errors().empty() ? std::string() : ": " + this->messages.errors().front()));
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize(this->window);

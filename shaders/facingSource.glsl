@@ -31,16 +31,16 @@ uniform vec4 lightPosition[32];
 uniform vec3 lightLow[32];
 uniform int lightBit[32];
 
-SplitVector cornerOf(uint vertex)
+SplitVector cornerOf(vec3 positionMC)
 {
-  return SplitVector(facingScale * positionOf(vertex), vec3(0.0));
+  return SplitVector(facingScale * positionMC, vec3(0.0));
 }
 
-uvec2 facingBitsOf(int triangle)
+// a, b, c  corners in raster order, relative to the geometry's origin
+// winding  1: the oriented triangle runs as they do; -1: against them
+uvec2 facingBitsOf(vec3 a, vec3 b, vec3 c, float winding)
 {
-  uvec4 corners = triangleAt(triangle);
-  FacingPlane plane = makeFacingPlane(cornerOf(corners.x), cornerOf(corners.y), cornerOf(corners.z));
-  float winding = corners.w == 1u ? -1.0 : 1.0;
+  FacingPlane plane = makeFacingPlane(cornerOf(a), cornerOf(b), cornerOf(c));
   uvec2 bits = uvec2(0u);
   for (int i = 0; i < lightCount; ++i)
   {
@@ -49,6 +49,12 @@ uvec2 facingBitsOf(int triangle)
     bits |= uvec2(side > 0.0 ? bit : 0u, side < 0.0 ? bit : 0u);
   }
   return bits;
+}
+
+uvec2 facingBitsOf(int triangle)
+{
+  uvec4 corners = triangleAt(triangle);
+  return facingBitsOf(positionOf(corners.x), positionOf(corners.y), positionOf(corners.z), corners.w == 1u ? -1.0 : 1.0);
 }
 #endif
 

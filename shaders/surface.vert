@@ -10,6 +10,11 @@
 // unif lightFacingOnly  int    1: Casting::LightFacing
 // unif farCap           int    0: light cap; 1: dark cap, of far copies
 // out  multiplicity     float  how often a front face counts: 1, -1 for one wound clockwise seen from outside, 0
+// def  SHADOW_HANDED_ON         surface.geom follows
+#ifdef SHADOW_HANDED_ON
+#define sideBits sideBitsOfCorner
+#define nearDistance nearDistanceOfCorner
+#endif
 #include "facingSource.glsl"
 #include "extrusion.glsl"
 in vec3 vertexMC;

@@ -23,7 +23,8 @@ public:
     Draw
   };
 
-  /// Triangles handed to the GL, whether or not they have an area.
+  /// Triangles handed to the GL, whether or not they have an area; the most it may be where the GPU itself
+  /// decides how many.
   struct Counts
   {
     std::size_t geometry = 0;

@@ -37,16 +37,17 @@ Capabilities queryCapabilities()
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   glGetIntegerv(GL_MINOR_VERSION, &minor);
   const int version = 10 * major + minor;
+  capabilities.version = std::to_string(major) + "." + std::to_string(minor);
   if (version < 32)
   {
-    capabilities.missing = "shadow volumes need OpenGL 3.2, this context has " + std::to_string(major) + "." +
-                           std::to_string(minor);
+    capabilities.missing = "shadow volumes need OpenGL 3.2, this context has " + capabilities.version;
     return capabilities;
   }
   capabilities.usable = true;
   capabilities.clipControl =
       (version >= 45 || hasExtension("GL_ARB_clip_control")) && glClipControl != nullptr;
   capabilities.sampleShading = version >= 40 || hasExtension("GL_ARB_sample_shading");
+  capabilities.compute = version >= 43 && glDispatchCompute != nullptr;
   const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   for (const char* software : {"llvmpipe", "softpipe", "SWR", "Software Rasterizer"})
   {
@@ -60,6 +61,34 @@ Capabilities queryCapabilities()
   glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &colorSamples);
   capabilities.maximumSamples = std::max(1, std::min({integerSamples, depthSamples, colorSamples}));
   return capabilities;
+}
+
+std::string findMissing(const Capabilities& capabilities, SilhouetteMethod method, int samples)
+{
+  if (method == SilhouetteMethod::Compute && !capabilities.compute)
+  {
+    return "needs OpenGL 4.3, this context has " + capabilities.version;
+  }
+  const bool countsInColor = isOnGPU(method) && method != SilhouetteMethod::FacingTexture;
+  if (countsInColor && samples > 1 && !capabilities.sampleShading)
+  {
+    return "needs OpenGL 4.0 or GL_ARB_sample_shading for more than one sample a pixel, this context has " +
+           capabilities.version;
+  }
+  return "";
+}
+
+SilhouetteMethod nextBest(SilhouetteMethod method)
+{
+  switch (method)
+  {
+  case SilhouetteMethod::FacingTexture:
+    return SilhouetteMethod::BruteForce;
+  case SilhouetteMethod::FacingTextureResident:
+    return SilhouetteMethod::FacingTexture;
+  default:
+    return SilhouetteMethod::FacingTextureResident;
+  }
 }
 
 } // namespace shadow

@@ -9,18 +9,26 @@ namespace shadow
 
 bool EdgeQuadSilhouette::drawSides(const Surface& surface, const Light& light, StencilCount count, bool fan)
 {
-  vtkShaderProgram* program = this->useForVolume(ShadowPrograms::Sides, surface, light);
+  vtkShaderProgram* program =
+      this->useForVolume(ShadowPrograms::Sides, surface, light, this->getSideSwitches());
   if (program == nullptr)
   {
     return false;
   }
-  const SEDGeometry& geometry = surface.geode->getGeometry();
-  const glm::vec3 apex = chooseApex(geometry, surface.state->lights.at(light.index).lightMC);
+  this->bindSilhouette(program, surface, light);
+  const glm::vec3 apex =
+      chooseApex(surface.geode->getGeometry(), surface.state->lights.at(light.index).lightMC);
   program->SetUniform3f("apexMC", glm::value_ptr(apex));
   setDepthBias(program, this->getFrame().reversedDepth, true);
   this->countWith(program, surface, count)
-      .count(1, false, [&] { this->quads.draw(geometry.getEdges().size(), fan); });
+      .count(1, false, [&] { this->drawQuads(this->quads, surface, light, fan); });
   return true;
+}
+
+void EdgeQuadSilhouette::drawQuads(EdgeQuads& edgeQuads, const Surface& surface, const Light& /*light*/,
+                                   bool fan)
+{
+  edgeQuads.draw(surface.geode->getGeometry().getEdges().size(), fan);
 }
 
 void EdgeQuadSilhouette::release(bool contextLost)

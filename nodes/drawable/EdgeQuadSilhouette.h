@@ -22,6 +22,18 @@ public:
 protected:
   bool drawSides(const Surface& surface, const Light& light, StencilCount count, bool fan) override;
 
+  /// Lines of the preprocessor that choose where shaders/silhouetteSource.glsl takes the silhouette from.
+  virtual std::string getSideSwitches() const { return ""; }
+
+  /// Gives the program what silhouetteSource.glsl asks for. @pre the program is current
+  virtual void bindSilhouette(vtkShaderProgram* /*program*/, const Surface& /*surface*/,
+                              const Light& /*light*/)
+  {
+  }
+
+  /// Draws the quads of a surface and light with the current program.
+  virtual void drawQuads(EdgeQuads& edgeQuads, const Surface& surface, const Light& light, bool fan);
+
 private:
   EdgeQuads quads;
 };

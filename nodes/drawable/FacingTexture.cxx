@@ -28,12 +28,9 @@ bool FacingTexture::begin(const Frame& theFrame, std::string& error)
 void FacingTexture::bindFacing(vtkShaderProgram* program, const Surface& surface,
                                const std::vector<Light>& /*lights*/)
 {
-  const TexelArray& texels = this->camera.getTexels();
-  this->getFrame().window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + facingUnit);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, texels.getTexture());
-  program->SetUniformi("facingTexels", facingUnit);
-  const int layer[2] = {texels.getWidth(), texels.getHeight()};
-  program->SetUniform2i("facingLayer", layer);
+  this->camera.getTexels().bind(this->getFrame().window->GetState(),
+                                static_cast<unsigned int>(program->GetHandle()), facingUnit, "facingTexels",
+                                "facingLayer");
   const VETRange* range = this->getFrame().collection->find(*surface.path);
   program->SetUniformi("firstTriangle", range != nullptr ? static_cast<int>(range->firstTriangle) : 0);
 }

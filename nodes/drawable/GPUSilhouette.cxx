@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
@@ -17,6 +18,7 @@ namespace shadow
 bool GPUSilhouette::begin(const Frame& theFrame, std::string& /*error*/)
 {
   this->frame = theFrame;
+  this->programs.clear();
   return true;
 }
 
@@ -25,16 +27,31 @@ bool GPUSilhouette::prepare(const Surface& surface, std::string& error)
   const std::shared_ptr<const SEDGeometry>& geometry = surface.geode->getSharedGeometry();
   Entry& entry = this->tables[geometry.get()];
   entry.used = true;
-  if (entry.texels != nullptr && entry.geometry.lock() == geometry)
+  if (entry.geometry == geometry)
   {
     return true;
   }
-  if (entry.texels == nullptr)
-  {
-    entry.texels = std::make_unique<GeometryTexels>();
-  }
   entry.geometry = geometry;
+  const auto moved = std::find_if(this->tables.begin(), this->tables.end(),
+                                  [&](const auto& other)
+                                  {
+                                    return !other.second.used && other.second.texels != nullptr &&
+                                           isSameMeshMoved(*other.second.geometry, *geometry);
+                                  });
+  if (moved != this->tables.end())
+  {
+    entry.texels = std::move(moved->second.texels);
+    entry.texels->update(*moved->second.geometry, *geometry);
+    this->tables.erase(moved);
+    return true;
+  }
+  entry.texels = std::make_unique<GeometryTexels>();
   return entry.texels->upload(*geometry, error);
+}
+
+bool GPUSilhouette::finishPreparing(std::string& /*error*/)
+{
+  return true;
 }
 
 GeometryTexels& GPUSilhouette::getTables(const Surface& surface)
@@ -45,8 +62,14 @@ GeometryTexels& GPUSilhouette::getTables(const Surface& surface)
 void GPUSilhouette::bindFacing(vtkShaderProgram* program, const Surface& surface,
                                const std::vector<Light>& lights)
 {
+  this->bindCorners(static_cast<unsigned int>(program->GetHandle()), surface, lights);
+}
+
+void GPUSilhouette::bindCorners(unsigned int program, const Surface& surface,
+                                const std::vector<Light>& lights)
+{
   const SceneFrame& space = this->getTables(surface).getFrame();
-  program->SetUniformf("facingScale", static_cast<float>(1.0 / space.unit));
+  glUniform1f(glGetUniformLocation(program, "facingScale"), static_cast<float>(1.0 / space.unit));
   std::vector<Light> lightsMC;
   for (const Light& light : lights)
   {
@@ -59,17 +82,31 @@ void GPUSilhouette::bindFacing(vtkShaderProgram* program, const Surface& surface
   setLightUniforms(program, lightsMC, space);
 }
 
+vtkShaderProgram* GPUSilhouette::useTables(ShadowPrograms::Stage stage, const Surface& surface,
+                                           const std::string& switches)
+{
+  vtkShaderProgram*& known = this->programs[{stage, switches}];
+  vtkShaderProgram* program =
+      known != nullptr ? this->frame.window->GetShaderCache()->ReadyShaderProgram(known)
+                       : ShadowPrograms(this->frame.window).use(stage, this->frame.view->parallel, switches);
+  known = program;
+  if (program != nullptr)
+  {
+    this->getTables(surface).bind(this->frame.window->GetState(),
+                                  static_cast<unsigned int>(program->GetHandle()), tableUnit);
+  }
+  return program;
+}
+
 vtkShaderProgram* GPUSilhouette::use(ShadowPrograms::Stage stage, const Surface& surface,
                                      const std::vector<Light>& lights, const std::string& switches)
 {
   const View& view = *this->frame.view;
-  vtkShaderProgram* program =
-      ShadowPrograms(this->frame.window).use(stage, view.parallel, this->getFacingSwitches() + switches);
+  vtkShaderProgram* program = this->useTables(stage, surface, this->getFacingSwitches() + switches);
   if (program == nullptr)
   {
     return nullptr;
   }
-  this->getTables(surface).bind(this->frame.window->GetState(), program, tableUnit);
   this->bindFacing(program, surface, lights);
   const glm::dmat4 wcFromMC = worldFromRelative(surface.geode->getGeometry(), surface.modelToWorld);
   setUniform(program, "clipFromMC", this->frame.clipFromWC * wcFromMC);
@@ -125,7 +162,7 @@ glm::vec3 GPUSilhouette::chooseApex(const SEDGeometry& geometry, const glm::dvec
 
 bool GPUSilhouette::drawSurface(const Surface& surface)
 {
-  vtkShaderProgram* program = this->use(ShadowPrograms::SurfacePrePass, surface, *this->frame.lights);
+  vtkShaderProgram* program = this->use(this->getSurfaceStage(), surface, *this->frame.lights);
   if (program == nullptr)
   {
     return false;
@@ -161,22 +198,36 @@ bool GPUSilhouette::drawCap(const Surface& surface, const Light& light, StencilC
   return true;
 }
 
+DarkCap GPUSilhouette::chooseDarkCap(const Light& light, const CasterPlan& plan)
+{
+  // The far copies of a directional light's volume at infinity are one point.
+  const bool farEndOpen = light.positionWC.w != 0.0 || !plan.isFarAtInfinity();
+  return farEndOpen ? plan.darkCap : DarkCap::None;
+}
+
 bool GPUSilhouette::drawVolume(const Surface& surface, const Light& light, StencilCount count)
 {
   const PathLightState& state = surface.state->lights.at(light.index);
-  // Where the far copies of a directional light's volume are one point nothing is open.
-  const bool farEndOpen = light.positionWC.w != 0.0 || !state.plan.isFarAtInfinity();
-  const bool fan = farEndOpen && state.plan.darkCap == DarkCap::Fan;
-  bool drawn = this->drawSides(surface, light, count, fan);
+  const DarkCap darkCap = chooseDarkCap(light, state.plan);
+  bool drawn = this->drawSides(surface, light, count, darkCap == DarkCap::Fan);
   if (state.plan.lightCap)
   {
     drawn = drawn && this->drawCap(surface, light, count, false);
   }
-  if (farEndOpen && state.plan.darkCap == DarkCap::Triangles)
+  if (darkCap == DarkCap::Triangles)
   {
     drawn = drawn && this->drawCap(surface, light, count, true);
   }
   return drawn;
+}
+
+void GPUSilhouette::unbind()
+{
+  for (int unit = tableUnit; unit < tableUnit + unitCount; ++unit)
+  {
+    this->frame.window->GetState()->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  }
 }
 
 void GPUSilhouette::sweep()

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -27,9 +28,9 @@ namespace shadow
 /// A method that finds silhouettes on the GPU and draws volumes from there; nothing comes back to the CPU.
 /// One subclass for each published method.
 ///
-/// In each frame: begin(); prepare() for every geode and path; drawSurface() for each, which is the pre-pass;
-/// drawVolume() for each caster and light. All that is known here of a triangle is its facing, the same in
-/// every stage, so that silhouettes are closed whatever the rounding.
+/// In each frame: begin(); prepare() for every geode and path; finishPreparing(); drawSurface() for each,
+/// which is the pre-pass; drawVolume() for each caster and light. All that is known here of a triangle is its
+/// facing, the same in every stage, so that silhouettes are closed whatever the rounding.
 class GPUSilhouette
 {
 public:
@@ -72,12 +73,19 @@ public:
   /// @return false with a line in @p error when the GL cannot
   virtual bool prepare(const Surface& surface, std::string& error);
 
+  /// Ends the preparation of all surfaces of a frame: for work that is better done for all of them together.
+  /// @return false with a line in @p error when the GL cannot
+  virtual bool finishPreparing(std::string& error);
+
   /// Draws a surface into the pre-pass. @return false when a shader does not compile
   bool drawSurface(const Surface& surface);
 
   /// Counts the volume of a surface for one light. @pre the count buffer is CountBuffer::Color
   /// @return false when a shader does not compile
   virtual bool drawVolume(const Surface& surface, const Light& light, StencilCount count);
+
+  /// Takes what the stages read off the texture units.
+  void unbind();
 
   /// Frees what was not used since the last call.
   virtual void sweep();
@@ -88,24 +96,43 @@ public:
   virtual std::size_t getMemorySize() const;
 
 protected:
-  /// First of the texture units that the stages may use; see bindTables().
+  /// First of the texture units that the stages may use; see useTables().
   static constexpr int tableUnit = 0;
   static constexpr int facingUnit = 3;
+  static constexpr int edgeUnit = 4;
+  static constexpr int unitCount = 5;
 
   /// Lines of the preprocessor that choose where shaders/facingSource.glsl takes the facing from.
   virtual std::string getFacingSwitches() const { return ""; }
+
+  /// The pre-pass: SurfacePrePass or SurfacePrePassHandedOn.
+  virtual ShadowPrograms::Stage getSurfaceStage() const { return ShadowPrograms::SurfacePrePass; }
 
   /// Gives the program what facingSource.glsl asks for: here the lights that it will ask about, to evaluate
   /// the facing from the corners. @pre the program is current
   virtual void bindFacing(vtkShaderProgram* program, const Surface& surface,
                           const std::vector<Light>& lights);
 
-  /// Draws the sides, and with @p fan a fan that closes the far end. @return false when a shader does not
-  /// compile
-  virtual bool drawSides(const Surface& surface, const Light& light, StencilCount count, bool fan) = 0;
+  /// What bindFacing() does here, for the name of a GL program that is current.
+  void bindCorners(unsigned int program, const Surface& surface, const std::vector<Light>& lights);
+
+  /// Draws the sides, and with @p fan a fan that closes the far end, for a method that leaves the rest of
+  /// drawVolume() as it is. @return false when a shader does not compile
+  virtual bool drawSides(const Surface& /*surface*/, const Light& /*light*/, StencilCount /*count*/,
+                         bool /*fan*/)
+  {
+    return false;
+  }
+
+  /// How the far end of a planned volume is closed: not at all where its far copies are one point.
+  static DarkCap chooseDarkCap(const Light& light, const CasterPlan& plan);
 
   const Frame& getFrame() const { return this->frame; }
   GeometryTexels& getTables(const Surface& surface);
+
+  /// Makes a stage's program current, with the tables of a surface. @return nullptr when it does not compile
+  vtkShaderProgram* useTables(ShadowPrograms::Stage stage, const Surface& surface,
+                              const std::string& switches = "");
 
   /// Makes a stage's program current, with the tables, the facing and the matrices that belong to a surface.
   /// @return nullptr when it does not compile
@@ -128,12 +155,15 @@ private:
 
   struct Entry
   {
-    std::weak_ptr<const SEDGeometry> geometry; ///< guards against another geometry at the same address
+    std::shared_ptr<const SEDGeometry> geometry; ///< kept, since it may come back moved in the next frame
     std::unique_ptr<GeometryTexels> texels;
     bool used = false;
   };
   Frame frame;
   std::map<const SEDGeometry*, Entry> tables;
+  /// Of the frame, by stage and switches: to ask VTK's cache costs a hash of the whole text, for each surface
+  /// and light.
+  std::map<std::pair<ShadowPrograms::Stage, std::string>, vtkShaderProgram*> programs;
 };
 
 } // namespace shadow

@@ -1,12 +1,12 @@
 #include "GeometryTexels.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include <vtkOpenGLState.h>
-#include <vtkShaderProgram.h>
 
 #include "OpenGL.h"
 
@@ -15,8 +15,6 @@ namespace shadow
 
 namespace
 {
-
-constexpr int tableCount = 3;
 
 bool fill(TexelArray& table, const std::vector<glm::uvec4>& texels, std::string& error)
 {
@@ -30,30 +28,58 @@ bool fill(TexelArray& table, const std::vector<glm::uvec4>& texels, std::string&
 
 } // namespace
 
+bool isSameMeshMoved(const SEDGeometry& one, const SEDGeometry& other)
+{
+  const auto isSame = [](const Edge& edge, const Edge& otherEdge)
+  { return edge.vertices == otherEdge.vertices && edge.triangles == otherEdge.triangles; };
+  return one.getPositions().size() == other.getPositions().size() &&
+         one.getTriangles().size() == other.getTriangles().size() &&
+         std::equal(one.getEdges().begin(), one.getEdges().end(), other.getEdges().begin(),
+                    other.getEdges().end(), isSame);
+}
+
 bool GeometryTexels::upload(const SEDGeometry& geometry, std::string& error)
 {
   std::vector<glm::uvec4> texels;
   texels.reserve(geometry.getEdges().size());
-  for (std::size_t i = 0; i < geometry.getTriangles().size(); ++i)
-  {
-    const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[i];
-    texels.emplace_back(corners[0], corners[1], corners[2], geometry.getReversed().test(i) ? 1u : 0u);
-  }
-  if (!fill(this->triangles, texels, error))
-  {
-    return false;
-  }
-  texels.clear();
   for (const Edge& edge : geometry.getEdges())
   {
     texels.emplace_back(edge.vertices[0], edge.vertices[1], edge.triangles[0], edge.triangles[1]);
   }
-  if (!fill(this->edges, texels, error) || !this->positions.allocate(geometry.getPositions().size(), error))
+  if (!fill(this->edges, texels, error) || !this->uploadTriangles(geometry, error) ||
+      !this->positions.allocate(geometry.getPositions().size(), error))
   {
     return false;
   }
   this->uploadPositions(geometry);
   return true;
+}
+
+bool GeometryTexels::uploadTriangles(const SEDGeometry& geometry, std::string& error)
+{
+  std::vector<glm::uvec4> texels;
+  texels.reserve(geometry.getTriangles().size());
+  for (std::size_t i = 0; i < geometry.getTriangles().size(); ++i)
+  {
+    const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[i];
+    texels.emplace_back(corners[0], corners[1], corners[2], geometry.getReversed().test(i) ? 1u : 0u);
+  }
+  return fill(this->triangles, texels, error);
+}
+
+std::size_t GeometryTexels::update(const SEDGeometry& previous, const SEDGeometry& geometry)
+{
+  this->uploadPositions(geometry);
+  std::size_t copied = geometry.getPositions().size();
+  if (previous.getTriangles() != geometry.getTriangles() ||
+      previous.getReversed().getWords() != geometry.getReversed().getWords())
+  {
+    // There is room for them: as many as before.
+    std::string error;
+    this->uploadTriangles(geometry, error);
+    copied += geometry.getTriangles().size();
+  }
+  return copied;
 }
 
 void GeometryTexels::uploadPositions(const SEDGeometry& geometry)
@@ -70,29 +96,11 @@ void GeometryTexels::uploadPositions(const SEDGeometry& geometry)
   this->frame = SceneFrame::around(-reach, reach);
 }
 
-void GeometryTexels::bind(vtkOpenGLState* state, vtkShaderProgram* program, int firstUnit) const
+void GeometryTexels::bind(vtkOpenGLState* state, unsigned int program, int firstUnit) const
 {
-  const std::array<const TexelArray*, tableCount> tables = {&this->positions, &this->triangles, &this->edges};
-  const std::array<const char*, tableCount> names = {"positionTexels", "triangleTexels", "edgeTexels"};
-  const std::array<const char*, tableCount> sizes = {"positionLayer", "triangleLayer", "edgeLayer"};
-  for (int i = 0; i < tableCount; ++i)
-  {
-    const auto place = static_cast<std::size_t>(i);
-    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + i));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, tables[place]->getTexture());
-    program->SetUniformi(names[place], firstUnit + i);
-    const int size[2] = {tables[place]->getWidth(), tables[place]->getHeight()};
-    program->SetUniform2i(sizes[place], size);
-  }
-}
-
-void GeometryTexels::unbind(vtkOpenGLState* state, int firstUnit)
-{
-  for (int i = 0; i < tableCount; ++i)
-  {
-    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + firstUnit + i));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  }
+  this->positions.bind(state, program, firstUnit, "positionTexels", "positionLayer");
+  this->triangles.bind(state, program, firstUnit + 1, "triangleTexels", "triangleLayer");
+  this->edges.bind(state, program, firstUnit + 2, "edgeTexels", "edgeLayer");
 }
 
 void GeometryTexels::release(bool contextLost)

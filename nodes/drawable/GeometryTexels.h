@@ -8,10 +8,13 @@
 #include "TexelArray.h"
 
 class vtkOpenGLState;
-class vtkShaderProgram;
 
 namespace shadow
 {
+
+/// Whether two geometries have the same vertices, edges and number of triangles, at other places.
+/// @par Cost  O(1) when their sizes differ, else O(edges)
+bool isSameMeshMoved(const SEDGeometry& one, const SEDGeometry& other);
 
 /// The tables of a SEDGeometry as a shader looks them up by index: see shaders/geometryTexels.glsl.
 ///
@@ -27,15 +30,16 @@ public:
   /// Copies the geometry. @return false with a line in @p error when the GL has no room for it
   bool upload(const SEDGeometry& geometry, std::string& error);
 
-  /// Copies the positions alone. @pre upload() of a geometry with the same vertices, triangles and edges
-  void uploadPositions(const SEDGeometry& geometry);
+  /// Copies what of a mesh that moved is not the same: positions, and triangles where the raster order of
+  /// one has changed with them.
+  ///
+  /// @param previous  what was copied last; isSameMeshMoved() of the two holds
+  /// @return texels that were copied
+  std::size_t update(const SEDGeometry& previous, const SEDGeometry& geometry);
 
   /// Binds the tables to texture units @p firstUnit to @p firstUnit + 2 and sets the program's uniforms.
-  /// @pre  the program is current
-  void bind(vtkOpenGLState* state, vtkShaderProgram* program, int firstUnit) const;
-
-  /// Takes the tables off the units again.
-  static void unbind(vtkOpenGLState* state, int firstUnit);
+  /// @param program  name of a GL program that is current
+  void bind(vtkOpenGLState* state, unsigned int program, int firstUnit) const;
 
   /// Model space relative to the origin, scaled to the geometry's size: what facing is evaluated in.
   const SceneFrame& getFrame() const { return this->frame; }
@@ -44,6 +48,9 @@ public:
   std::size_t getMemorySize() const;
 
 private:
+  bool uploadTriangles(const SEDGeometry& geometry, std::string& error);
+  void uploadPositions(const SEDGeometry& geometry);
+
   TexelArray positions{TexelFormat::Float4}; ///< xyz
   TexelArray triangles{TexelFormat::UInt4};  ///< vertices in raster order; w = 1: oriented against it
   TexelArray edges{TexelFormat::UInt4};      ///< vertices, triangles: see Edge

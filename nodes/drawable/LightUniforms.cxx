@@ -4,10 +4,17 @@
 
 #include <vtkShaderProgram.h>
 
+#include "OpenGL.h"
+
 namespace shadow
 {
 
 void setLightUniforms(vtkShaderProgram* program, const std::vector<Light>& lights, const SceneFrame& frame)
+{
+  setLightUniforms(static_cast<unsigned int>(program->GetHandle()), lights, frame);
+}
+
+void setLightUniforms(unsigned int program, const std::vector<Light>& lights, const SceneFrame& frame)
 {
   float positions[maximumLights][4] = {};
   float lows[maximumLights][3] = {};
@@ -28,10 +35,10 @@ void setLightUniforms(vtkShaderProgram* program, const std::vector<Light>& light
       ++count;
     }
   }
-  program->SetUniformi("lightCount", count);
-  program->SetUniform4fv("lightPosition", maximumLights, positions);
-  program->SetUniform3fv("lightLow", maximumLights, lows);
-  program->SetUniform1iv("lightBit", maximumLights, bits);
+  glUniform1i(glGetUniformLocation(program, "lightCount"), count);
+  glUniform4fv(glGetUniformLocation(program, "lightPosition"), maximumLights, positions[0]);
+  glUniform3fv(glGetUniformLocation(program, "lightLow"), maximumLights, lows[0]);
+  glUniform1iv(glGetUniformLocation(program, "lightBit"), maximumLights, bits);
 }
 
 } // namespace shadow

@@ -14,4 +14,7 @@ namespace shadow
 /// that are not finite are left out. @pre the program is current; at most maximumLights lights
 void setLightUniforms(vtkShaderProgram* program, const std::vector<Light>& lights, const SceneFrame& frame);
 
+/// The same for the name of a GL program.
+void setLightUniforms(unsigned int program, const std::vector<Light>& lights, const SceneFrame& frame);
+
 } // namespace shadow

@@ -124,6 +124,16 @@ unsigned int SEDGeometryDrawable::getVolumeVertexBuffer()
   return this->volumeVertexBuffer;
 }
 
+const AdjacentTriangles& SEDGeometryDrawable::getAdjacentTriangles()
+{
+  if (this->adjacentTriangles == nullptr)
+  {
+    this->adjacentTriangles = std::make_unique<AdjacentTriangles>(this->geometry);
+    this->bytes += this->adjacentTriangles->getMemorySize();
+  }
+  return *this->adjacentTriangles;
+}
+
 void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits)
 {
   glBindVertexArray(this->vertexArray);
@@ -205,6 +215,10 @@ void SEDGeometryDrawable::release(bool contextLost)
     glDeleteBuffers(1, &this->indexBuffer);
     glDeleteBuffers(1, &this->volumeVertexBuffer);
     glDeleteBuffers(1, &this->sortedIndexBuffer);
+  }
+  if (this->adjacentTriangles != nullptr)
+  {
+    this->adjacentTriangles->release(contextLost);
   }
   this->vertexArray = this->vertexBuffer = this->indexBuffer = this->volumeVertexBuffer = 0;
   this->sortedIndexBuffer = 0;

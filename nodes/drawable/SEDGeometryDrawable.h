@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include "AdjacentTriangles.h"
 #include "Node.h"
 #include "SEDGeometry.h"
 
@@ -56,6 +58,9 @@ public:
   /// Near and far copies for ShadowVolumeDrawable; made when first asked for.
   unsigned int getVolumeVertexBuffer();
 
+  /// Triangles with adjacency for GeometryShaderSilhouette; made when first asked for.
+  const AdjacentTriangles& getAdjacentTriangles();
+
   /// Draws all triangles in raster order with the current program. @pre the last vertex provokes
   /// @param reachableBits  for a program that reads them; may be nullptr
   void draw(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits);
@@ -86,6 +91,7 @@ private:
   unsigned int volumeVertexBuffer = 0;
   unsigned int sortedIndexBuffer = 0;  ///< triangles whose raster order is the input's come first
   std::size_t unreversedTriangles = 0; ///< these
+  std::unique_ptr<AdjacentTriangles> adjacentTriangles;
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   std::size_t bytes = 0;

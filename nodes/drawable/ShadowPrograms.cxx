@@ -33,8 +33,9 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
     const char* vertex;
     const char* fragment;
     const char* switches;
+    const char* geometry = "";
   };
-  static const std::array<Sources, 11> stages = {
+  static const std::array<Sources, 15> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -49,21 +50,29 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
       Sources{shaders::surface_vert, shaders::volume_frag,
               "#define SHADOW_CAP\n#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"},
       Sources{shaders::sides_vert, shaders::volume_frag,
-              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"}};
+              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n"},
+      Sources{shaders::surface_vert, shaders::prepass_frag, "#define SHADOW_HANDED_ON\n",
+              shaders::surface_geom},
+      Sources{shaders::adjacency_vert, shaders::volume_frag,
+              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n", shaders::volume_geom},
+      Sources{shaders::triangleFacing_vert, shaders::texel_frag, ""},
+      Sources{shaders::edgeStates_vert, shaders::texel_frag, ""}};
   const Sources& sources = stages[stage];
   const std::string all =
       sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "") + switches;
   const std::string vertex = withSwitches(sources.vertex, all);
   const std::string fragment = withSwitches(sources.fragment, all);
-  return this->window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  const std::string geometry = *sources.geometry != '\0' ? withSwitches(sources.geometry, all) : "";
+  return this->window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(),
+                                                            geometry.c_str());
 }
 
-void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides)
+void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides, const char* uniform)
 {
   // Relative to the distance, and so the same number of units everywhere: two in the last place.
   const float rounding = asSides ? 1.2e-7f : 0.0f;
   const float bias[2] = {1.0f - rounding, reversedDepth ? 0.0f : rounding};
-  program->SetUniform2f("depthBias", bias);
+  program->SetUniform2f(uniform, bias);
 }
 
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)

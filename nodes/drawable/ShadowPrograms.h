@@ -27,7 +27,11 @@ public:
     // Where the facing is known to the GPU only, see shaders/facingSource.glsl:
     SurfacePrePass,
     SurfaceCap,
-    Sides
+    Sides,
+    SurfacePrePassHandedOn, ///< SurfacePrePass through a geometry shader, to go with the next:
+    VolumeOfTriangles,      ///< sides and caps, made in the geometry shader
+    TriangleFacing,         ///< into a texture, as EdgeStates; parallel does not matter
+    EdgeStates
   };
 
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}
@@ -44,7 +48,9 @@ private:
 /// Has a program draw at the depth that positions have, or, as sides of volumes, a few units of rounding
 /// farther: where a side starts at the edge of a lit surface it would else be a matter of rounding whether it
 /// is in front of that surface. @pre the program is current
-void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides);
+/// @param uniform  its name in the program
+void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides,
+                  const char* uniform = "depthBias");
 
 /// Hands a double matrix to the program as float, column-major.
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);

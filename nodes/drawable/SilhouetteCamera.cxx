@@ -18,39 +18,6 @@
 namespace shadow
 {
 
-namespace
-{
-
-/// One point, one texel, nothing but colour.
-void setState(vtkOpenGLState* state)
-{
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_STENCIL_TEST);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDisable(GL_COLOR_LOGIC_OP);
-}
-
-/// Points of one pixel while it stands. Behind vtkOpenGLState, which so never learns of the change.
-class PointSizeScope
-{
-public:
-  PointSizeScope()
-  {
-    glGetFloatv(GL_POINT_SIZE, &this->previous);
-    glPointSize(1.0f);
-  }
-  ~PointSizeScope() { glPointSize(this->previous); }
-  PointSizeScope(const PointSizeScope&) = delete;
-  PointSizeScope& operator=(const PointSizeScope&) = delete;
-
-private:
-  float previous = 1.0f;
-};
-
-} // namespace
-
 vtkOpenGLState* SilhouetteCamera::getState(vtkOpenGLRenderWindow* window)
 {
   return window->GetState();
@@ -63,22 +30,8 @@ bool SilhouetteCamera::draw(vtkOpenGLRenderWindow* window, TriangleDrawable& tri
   {
     return false;
   }
-  if (this->framebuffer == 0)
-  {
-    glGenFramebuffers(1, &this->framebuffer);
-  }
   // The clip volume does not matter here, and is not changed.
   const GLStateScope scope(window->GetState(), false);
-  const PointSizeScope pointSize;
-  window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
-  const bool drawn = this->drawLayers(window, triangles, lights, error);
-  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, 0, 0, 0);
-  return drawn;
-}
-
-bool SilhouetteCamera::drawLayers(vtkOpenGLRenderWindow* window, TriangleDrawable& triangles,
-                                  const std::vector<Light>& lights, std::string& error)
-{
   vtkShaderProgram* program = ShadowPrograms(window).use(ShadowPrograms::Facing, false);
   if (program == nullptr)
   {
@@ -86,24 +39,9 @@ bool SilhouetteCamera::drawLayers(vtkOpenGLRenderWindow* window, TriangleDrawabl
     return false;
   }
   setLightUniforms(program, lights, triangles.getFrame());
-  const int layerSize[2] = {this->texels.getWidth(), this->texels.getHeight()};
-  program->SetUniform2i("layerSize", layerSize);
-  vtkOpenGLState* state = window->GetState();
-  setState(state);
-  state->vtkglViewport(0, 0, layerSize[0], layerSize[1]);
-  for (int layer = 0; layer < this->texels.getLayers(); ++layer)
-  {
-    this->texels.attachLayer(GL_FRAMEBUFFER, layer);
-    const GLenum buffer = GL_COLOR_ATTACHMENT0;
-    glDrawBuffers(1, &buffer);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    {
-      error = "the GL cannot draw into a texture of two 32-bit integers";
-      return false;
-    }
-    triangles.draw(program, this->texels.getFirstOfLayer(layer), this->texels.getCountOfLayer(layer));
-  }
-  return true;
+  return this->painter.paint(
+      window->GetState(), this->texels, program,
+      [&](std::size_t first, std::size_t count) { triangles.draw(program, first, count); }, error);
 }
 
 void SilhouetteCamera::getFacing(const VETRange& range, const Light& light, LightFacing& facing) const
@@ -138,11 +76,7 @@ void SilhouetteCamera::release(bool contextLost)
 {
   this->texels.release(contextLost);
   this->readBack.release(contextLost);
-  if (!contextLost && this->framebuffer != 0)
-  {
-    glDeleteFramebuffers(1, &this->framebuffer);
-  }
-  this->framebuffer = 0;
+  this->painter.release(contextLost);
   this->words.clear();
 }
 

@@ -8,6 +8,7 @@
 #include "FacingBits.h"
 #include "Light.h"
 #include "TexelArray.h"
+#include "TexelPainter.h"
 #include "TexelReadBack.h"
 #include "VETCollection.h"
 
@@ -77,12 +78,10 @@ public:
 
 private:
   static class vtkOpenGLState* getState(vtkOpenGLRenderWindow* window);
-  bool drawLayers(vtkOpenGLRenderWindow* window, TriangleDrawable& triangles,
-                  const std::vector<Light>& lights, std::string& error);
 
   TexelArray texels;
+  TexelPainter painter;
   TexelReadBack readBack;
-  unsigned int framebuffer = 0;
   std::vector<std::uint32_t> words; ///< two a triangle
 };
 

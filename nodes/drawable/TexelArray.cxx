@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <vtkOpenGLState.h>
+
 #include "OpenGL.h"
 #include "PixelTransferScope.h"
 
@@ -163,6 +165,20 @@ void TexelArray::uploadRows(const unsigned char* texels, std::size_t first, int 
 void TexelArray::attachLayer(unsigned int target, int layer) const
 {
   glFramebufferTextureLayer(target, GL_COLOR_ATTACHMENT0, this->texture, 0, layer);
+}
+
+void TexelArray::bind(vtkOpenGLState* state, unsigned int program, int unit, const char* sampler,
+                      const char* layerSize) const
+{
+  state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, this->texture);
+  glUniform1i(glGetUniformLocation(program, sampler), unit);
+  glUniform2i(glGetUniformLocation(program, layerSize), this->width, this->height);
+}
+
+void TexelArray::bindImage(unsigned int unit) const
+{
+  glBindImageTexture(unit, this->texture, 0, GL_TRUE, 0, GL_WRITE_ONLY, namesOf(this->format).internal);
 }
 
 std::size_t TexelArray::getFirstOfLayer(int layer) const

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+class vtkOpenGLState;
+
 namespace shadow
 {
 
@@ -42,6 +44,14 @@ public:
   /// Attaches a layer as colour attachment 0 of the framebuffer bound to @p target (GL_DRAW_FRAMEBUFFER,
   /// GL_READ_FRAMEBUFFER or GL_FRAMEBUFFER).
   void attachLayer(unsigned int target, int layer) const;
+
+  /// Binds the texels to a texture unit, and sets the program's sampler and the ivec2 that texelArray.glsl
+  /// takes. @param program  name of a GL program that is current; a uniform that it lacks is left out
+  void bind(vtkOpenGLState* state, unsigned int program, int unit, const char* sampler,
+            const char* layerSize) const;
+
+  /// Binds all layers to an image unit, for a shader to write them. @pre GL 4.2
+  void bindImage(unsigned int unit) const;
 
   unsigned int getTexture() const { return this->texture; } ///< GL_TEXTURE_2D_ARRAY; 0 before allocate()
   std::size_t getSize() const { return this->size; }        ///< texels

@@ -33,17 +33,22 @@ void finishStage(bool wait)
 
 } // namespace
 
-bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& view,
-                                    const std::vector<Light>& lights, const Settings& settings,
-                                    std::string& error)
+const Capabilities& ShadowVolumeEffect::getCapabilities()
 {
-  this->statistics = {};
   if (!this->capabilitiesKnown)
   {
     this->capabilities = queryCapabilities();
     this->capabilitiesKnown = true;
   }
-  if (!this->capabilities.usable)
+  return this->capabilities;
+}
+
+bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& view,
+                                    const std::vector<Light>& lights, const Settings& settings,
+                                    std::string& error)
+{
+  this->statistics = {};
+  if (!this->getCapabilities().usable)
   {
     error = this->capabilities.missing;
     return false;

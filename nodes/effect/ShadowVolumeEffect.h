@@ -64,6 +64,9 @@ public:
     double readBackMilliseconds = 0.0; ///< of silhouetteMilliseconds: copying from the GPU and waiting for it
   };
 
+  /// What the current context can do. @pre a context is current, always the same until release()
+  const Capabilities& getCapabilities();
+
   /// Renders the shadow mask.
   ///
   /// @pre   the window's context is current; GL state is put back before this returns
@@ -112,7 +115,6 @@ protected:
   /// The view's clip matrix with this frame's depth range.
   glm::dmat4 getClipFromWC(const View& view) const { return shadowClipFromWC(view, this->depthRange); }
 
-  const Capabilities& getCapabilities() const { return this->capabilities; }
   DrawableCache& getDrawables() { return this->drawables; }
   Statistics& changeStatistics() { return this->statistics; }
 

@@ -4,14 +4,17 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include "ComputeSilhouette.h"
 #include "EdgeQuadSilhouette.h"
 #include "FacingTexture.h"
 #include "GPUSilhouetteVisitor.h"
+#include "GeometryShaderSilhouette.h"
 #include "OpenGL.h"
 #include "ReadFacingVisitor.h"
 #include "SEDVisitor.h"
 #include "SVStateVisitor.h"
 #include "Stopwatch.h"
+#include "VertexTexture.h"
 
 namespace shadow
 {
@@ -26,6 +29,12 @@ std::unique_ptr<GPUSilhouette> makeGPUSilhouette(SilhouetteMethod method)
   case SilhouetteMethod::FacingTexture:
   case SilhouetteMethod::FacingTextureResident:
     return std::make_unique<FacingTexture>();
+  case SilhouetteMethod::VertexTexture:
+    return std::make_unique<VertexTexture>();
+  case SilhouetteMethod::GeometryShader:
+    return std::make_unique<GeometryShaderSilhouette>();
+  case SilhouetteMethod::Compute:
+    return std::make_unique<ComputeSilhouette>();
   default:
     return std::make_unique<EdgeQuadSilhouette>();
   }
@@ -78,8 +87,13 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
   }
   GPUSilhouetteVisitor prepare(GPUSilhouetteVisitor::Stage::Prepare, *this->method, frame.lights);
   this->accept(prepare);
-  this->method->sweep();
   error = prepare.getError();
+  if (error.empty())
+  {
+    this->method->finishPreparing(error);
+  }
+  this->method->unbind();
+  this->method->sweep();
   if (frame.settings.waitAfterStages)
   {
     glFinish();
@@ -96,6 +110,7 @@ bool ShadowVolumeGPUEffect::drawSurfaces(const Frame& frame, std::string& error)
 {
   GPUSilhouetteVisitor draw(GPUSilhouetteVisitor::Stage::Draw, *this->method, frame.lights);
   this->accept(draw);
+  this->method->unbind();
   this->changeStatistics().prePassTriangles = draw.getCounts().geometry;
   error = draw.getError();
   return error.empty();
@@ -137,6 +152,7 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
     this->accept(volumeMode);
     GPUSilhouetteVisitor draw(GPUSilhouetteVisitor::Stage::Draw, *this->method, frame.lights);
     this->accept(draw);
+    this->method->unbind();
     this->changeStatistics().sideTriangles += draw.getCounts().sides;
     this->changeStatistics().capTriangles += draw.getCounts().caps;
     counted = counted || draw.hasDrawn();

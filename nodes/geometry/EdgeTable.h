@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -77,9 +78,16 @@ public:
   class Iterator
   {
   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Edge;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Edge*;
+    using reference = Edge;
+
     Edge operator*() const;
     Iterator& operator++();
-    bool operator!=(const Iterator& other) const { return this->index != other.index; }
+    bool operator==(const Iterator& other) const { return this->index == other.index; }
+    bool operator!=(const Iterator& other) const { return !(*this == other); }
 
   private:
     friend class EdgeList;

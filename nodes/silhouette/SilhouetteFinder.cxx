@@ -68,7 +68,10 @@ const std::vector<SilhouetteMethod>& getSilhouetteMethods()
                                                         SilhouetteMethod::Hierarchical,
                                                         SilhouetteMethod::FacingTexture,
                                                         SilhouetteMethod::FacingTextureResident,
-                                                        SilhouetteMethod::VertexExtrusion};
+                                                        SilhouetteMethod::VertexTexture,
+                                                        SilhouetteMethod::VertexExtrusion,
+                                                        SilhouetteMethod::GeometryShader,
+                                                        SilhouetteMethod::Compute};
   return methods;
 }
 
@@ -94,8 +97,14 @@ std::string toString(SilhouetteMethod method)
     return "facing-texture";
   case SilhouetteMethod::FacingTextureResident:
     return "facing-texture-resident";
+  case SilhouetteMethod::VertexTexture:
+    return "vertex-texture";
   case SilhouetteMethod::VertexExtrusion:
     return "vertex-extrusion";
+  case SilhouetteMethod::GeometryShader:
+    return "geometry-shader";
+  case SilhouetteMethod::Compute:
+    return "compute";
   }
   throw std::invalid_argument("unknown silhouette method");
 }

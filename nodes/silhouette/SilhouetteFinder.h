@@ -28,7 +28,10 @@ enum class SilhouetteMethod
   // On the GPU, see nodes/drawable:
   FacingTexture,         ///< facing drawn into a texture and read back (Shi 2006, chapter 3.3)
   FacingTextureResident, ///< the same without reading it back
-  VertexExtrusion        ///< every edge a quad (McGuire & Hughes 2004)
+  VertexTexture,         ///< state of every edge drawn into a texture (Brabec & Seidel 2003)
+  VertexExtrusion,       ///< every edge a quad (McGuire & Hughes 2004)
+  GeometryShader,        ///< triangles with adjacency (Zerari & Babahenini 2011)
+  Compute                ///< silhouette edges listed by compute shaders
 };
 
 /// Whether the method runs on the GPU.

@@ -1,10 +1,9 @@
-/* GLX as far as a GL loader asks for it, answered by OSMesa: functions come from OSMesaGetProcAddress, there
- * is no display. Must stand before the system's libGLX and libOpenGL in symbol order, with libOSMesa. */
-#include <GL/osmesa.h>
+/* GLX as far as a GL loader asks for it, answered without a display: functions come from the GL that was
+ * chosen. Must stand before the system's libGLX in symbol order. */
 #include <stddef.h>
 #include <string.h>
 
-typedef void (*Function)(void);
+#include "GLFunctions.h"
 
 void* glXGetCurrentDisplay(void)
 {
@@ -27,21 +26,21 @@ const char* glXGetClientString(void* display, int name)
   return "";
 }
 
-Function glXGetProcAddressARB(const unsigned char* name)
+vtkShadowGLFunction glXGetProcAddressARB(const unsigned char* name)
 {
   /* Loaders ask also for GLX itself by name. */
   const char* text = (const char*)name;
   if (strcmp(text, "glXGetCurrentDisplay") == 0)
   {
-    return (Function)glXGetCurrentDisplay;
+    return (vtkShadowGLFunction)glXGetCurrentDisplay;
   }
   if (strcmp(text, "glXQueryVersion") == 0)
   {
-    return (Function)glXQueryVersion;
+    return (vtkShadowGLFunction)glXQueryVersion;
   }
   if (strcmp(text, "glXGetClientString") == 0)
   {
-    return (Function)glXGetClientString;
+    return (vtkShadowGLFunction)glXGetClientString;
   }
-  return (Function)OSMesaGetProcAddress(text);
+  return vtkShadowGetGLFunction(text);
 }

@@ -3,12 +3,47 @@
 #include <GL/osmesa.h>
 
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
+
+#include "SharedLibrary.h"
 
 namespace shadow
 {
 
+namespace
+{
+
+struct OSMesa
+{
+  decltype(&OSMesaCreateContextAttribs) createContextAttribs = nullptr;
+  decltype(&OSMesaDestroyContext) destroyContext = nullptr;
+  decltype(&OSMesaGetCurrentContext) getCurrentContext = nullptr;
+  decltype(&OSMesaGetProcAddress) getProcAddress = nullptr;
+  decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
+
+  OSMesa()
+  {
+    const SharedLibrary library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"},
+                                "there is no OSMesa (Debian: libosmesa6)");
+    library.find("OSMesaCreateContextAttribs", this->createContextAttribs);
+    library.find("OSMesaDestroyContext", this->destroyContext);
+    library.find("OSMesaGetCurrentContext", this->getCurrentContext);
+    library.find("OSMesaGetProcAddress", this->getProcAddress);
+    library.find("OSMesaMakeCurrent", this->makeCurrent);
+  }
+};
+
+const OSMesa& osMesa()
+{
+  static const OSMesa functions;
+  return functions;
+}
+
+} // namespace
+
 OSMesaContext::OSMesaContext()
+    : buffer(std::size_t{4} * static_cast<std::size_t>(bufferSize) * static_cast<std::size_t>(bufferSize))
 {
   // The highest core profile OSMesa gives; VTK needs 3.2.
   for (const auto& version : {std::pair<int, int>{4, 5}, {3, 3}, {3, 2}})
@@ -26,57 +61,39 @@ OSMesaContext::OSMesaContext()
                               OSMESA_CONTEXT_MINOR_VERSION,
                               version.second,
                               0};
-    this->context = OSMesaCreateContextAttribs(attributes, nullptr);
+    this->context = osMesa().createContextAttribs(attributes, nullptr);
     if (this->context != nullptr)
     {
       return;
     }
   }
+  throw std::runtime_error("OSMesa gives no OpenGL 3.2 core context");
 }
 
 OSMesaContext::~OSMesaContext()
 {
-  if (this->context != nullptr)
+  if (this->isCurrent())
   {
-    this->doneCurrent();
-    OSMesaDestroyContext(static_cast<::OSMesaContext>(this->context));
+    osMesa().makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
   }
+  osMesa().destroyContext(static_cast<::OSMesaContext>(this->context));
 }
 
-bool OSMesaContext::makeCurrent(int newWidth, int newHeight)
+bool OSMesaContext::makeCurrent()
 {
-  if (this->context == nullptr)
-  {
-    return false;
-  }
-  if (this->isCurrent() && newWidth == this->width && newHeight == this->height)
-  {
-    return true;
-  }
-  this->buffer.resize(std::size_t{4} * static_cast<std::size_t>(newWidth) *
-                      static_cast<std::size_t>(newHeight));
-  this->width = newWidth;
-  this->height = newHeight;
-  return OSMesaMakeCurrent(static_cast<::OSMesaContext>(this->context), this->buffer.data(), GL_UNSIGNED_BYTE,
-                           newWidth, newHeight) == GL_TRUE;
+  return this->isCurrent() ||
+         osMesa().makeCurrent(static_cast<::OSMesaContext>(this->context), this->buffer.data(),
+                              GL_UNSIGNED_BYTE, bufferSize, bufferSize) == GL_TRUE;
 }
 
 bool OSMesaContext::isCurrent() const
 {
-  return this->context != nullptr && OSMesaGetCurrentContext() == this->context;
+  return osMesa().getCurrentContext() == this->context;
 }
 
-OSMesaContext::Function OSMesaContext::getFunction(void* /*unused*/, const char* name)
+vtkShadowGLFunction OSMesaContext::getFunction(const char* name)
 {
-  return OSMesaGetProcAddress(name);
-}
-
-void OSMesaContext::doneCurrent()
-{
-  if (this->isCurrent())
-  {
-    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-  }
+  return osMesa().getProcAddress(name);
 }
 
 } // namespace shadow

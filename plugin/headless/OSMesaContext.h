@@ -3,37 +3,30 @@
 
 #include <vector>
 
+#include "GLFunctions.h"
+#include "HeadlessContext.h"
+
 namespace shadow
 {
 
-/// An OSMesa core-profile context with a colour buffer of its own. Knows nothing of VTK: GL/osmesa.h and
-/// VTK's GL loader cannot be included in one file.
-class OSMesaContext
+/// A context of OSMesa, Mesa's renderer in software. The library is loaded when the first context is made.
+class OSMesaContext final : public HeadlessContext
 {
 public:
+  /// @throws std::runtime_error when there is no OSMesa, or none with OpenGL 3.2
   OSMesaContext();
-  ~OSMesaContext();
-  OSMesaContext(const OSMesaContext&) = delete;
-  OSMesaContext& operator=(const OSMesaContext&) = delete;
+  ~OSMesaContext() override;
 
-  bool isUsable() const { return this->context != nullptr; }
+  bool makeCurrent() override;
+  bool isCurrent() const override;
+  std::string getDescription() const override { return "OSMesa"; }
 
-  /// Makes the context current with a buffer of this many pixels. @return false when OSMesa refuses
-  bool makeCurrent(int width, int height);
-  bool isCurrent() const;
-
-  /// The address of a GL function, as GL loaders ask for it.
-  using Function = void (*)();
-  static Function getFunction(void* unused, const char* name);
-
-  /// Makes no context current if this one is.
-  void doneCurrent();
+  /// @pre a context has been made
+  static vtkShadowGLFunction getFunction(const char* name);
 
 private:
   void* context = nullptr;
-  std::vector<unsigned char> buffer; ///< RGBA; VTK draws into framebuffers of its own and blits here
-  int width = 0;
-  int height = 0;
+  std::vector<unsigned char> buffer; ///< RGBA
 };
 
 } // namespace shadow

@@ -3,14 +3,28 @@
 #include <vtkObjectFactory.h>
 
 #include "../vtkShadowCompat.h"
-#include "OSMesaContext.h"
+#include "GLFunctions.h"
+#include "HeadlessContext.h"
 
 class vtkHeadlessRenderWindow::vtkInternals
 {
 public:
-  shadow::OSMesaContext Context;
+  std::string Error; ///< why there is no context; before it, which fills it in
+  std::unique_ptr<shadow::HeadlessContext> Context = shadow::makeHeadlessContext(this->Error);
   bool Reported = false;
 };
+
+#if VTKSHADOW_WINDOW_LOADS_SYMBOLS
+namespace
+{
+
+vtkShadowGLFunction loadSymbol(void* /*unused*/, const char* name)
+{
+  return vtkShadowGetGLFunction(name);
+}
+
+} // namespace
+#endif
 
 vtkStandardNewMacro(vtkHeadlessRenderWindow);
 
@@ -18,7 +32,7 @@ vtkStandardNewMacro(vtkHeadlessRenderWindow);
 vtkHeadlessRenderWindow::vtkHeadlessRenderWindow() : Internals(new vtkInternals)
 {
 #if VTKSHADOW_WINDOW_LOADS_SYMBOLS
-  this->SetOpenGLSymbolLoader(&shadow::OSMesaContext::getFunction, nullptr);
+  this->SetOpenGLSymbolLoader(&loadSymbol, nullptr);
 #endif
   this->SetReadyForRendering(this->IsUsable());
   this->SetIsCurrent(this->IsUsable());
@@ -47,12 +61,19 @@ void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Usable: " << this->IsUsable() << "\n";
+  os << indent << "Backend: " << this->GetBackend() << "\n";
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeadlessRenderWindow::IsUsable() const
 {
-  return this->Internals != nullptr && this->Internals->Context.isUsable();
+  return this->Internals != nullptr && this->Internals->Context != nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeadlessRenderWindow::GetBackend() const
+{
+  return this->IsUsable() ? this->Internals->Context->getDescription() : "";
 }
 
 //------------------------------------------------------------------------------
@@ -66,17 +87,15 @@ void vtkHeadlessRenderWindow::Render()
 //------------------------------------------------------------------------------
 void vtkHeadlessRenderWindow::MakeCurrent()
 {
-  // The buffer behind the context is never shown; a small one keeps memory low.
-  const int size = 16;
-  if (!this->Internals->Context.makeCurrent(size, size) && !this->Internals->Reported)
+  if ((!this->IsUsable() || !this->Internals->Context->makeCurrent()) && !this->Internals->Reported)
   {
     this->Internals->Reported = true;
-    vtkErrorMacro("OSMesa gives no OpenGL 3.2 core context.");
+    vtkErrorMacro(<< (this->IsUsable() ? "The GL refuses its context." : this->Internals->Error));
   }
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeadlessRenderWindow::IsCurrent()
 {
-  return this->Internals != nullptr && this->Internals->Context.isCurrent();
+  return this->IsUsable() && this->Internals->Context->isCurrent();
 }

@@ -1,10 +1,12 @@
 /**
  * @class   vtkHeadlessRenderWindow
- * @brief   a render window without a display, drawn by OSMesa
+ * @brief   a render window without a display, drawn by OSMesa or through EGL
  *
- * Owns an OSMesa core-profile context and draws into it in software. Programs that use it must let the
- * symbols of libvtkShadowGLX and libOSMesa come before those of the system's GL: link the CMake target
- * `vtkShadow::HeadlessFirst`, or in Python `import vtkshadow.headless` before anything of VTK.
+ * The environment variable VTKSHADOW_HEADLESS chooses for the whole process: `osmesa` (default) draws in
+ * software, `egl` on the first GPU that EGL finds, or in software where there is none. Either library is
+ * loaded when the first window is made. Programs that use it must let the symbols of libvtkShadowGLX come
+ * before those of the system's GL: link the CMake target `vtkShadow::HeadlessFirst`, or in Python `import
+ * vtkshadow.headless` before anything of VTK.
  *
  * @par Use
  * `vtkNew<vtkHeadlessRenderWindow> window; window->SetSize(1280, 720); window->AddRenderer(renderer);
@@ -18,6 +20,7 @@
 #include "vtkShadowHeadlessModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class VTKSHADOWHEADLESS_EXPORT vtkHeadlessRenderWindow : public vtkGenericOpenGLRenderWindow
 {
@@ -27,10 +30,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * True when the OSMesa context is there and can be drawn into. False otherwise, after one vtkErrorMacro;
-   * rendering then does nothing.
+   * True when the context is there and can be drawn into. Otherwise rendering does nothing, and the first one
+   * says why by vtkErrorMacro.
    */
   bool IsUsable() const;
+
+  /**
+   * What draws: "OSMesa", or EGL with its version, vendor and device. Empty when the window is not usable.
+   */
+  std::string GetBackend() const;
 
   /**
    * Called by VTK.

@@ -11,7 +11,6 @@
 #include <vtkOpenGLState.h>
 #include <vtkProp.h>
 
-#include "LightCollector.h"
 #include "OpenGL.h"
 #include "ShadowVolumeGPUEffect.h"
 #include "Stopwatch.h"
@@ -65,9 +64,38 @@ void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
   if (this->Sentinel->GetHandle() == 0)
   {
     this->Effect->release(true);
+    this->Refusals.clear();
     this->Sentinel->SetContext(this->Window);
     this->Sentinel->Allocate2D(1, 1, 4, VTK_UNSIGNED_CHAR);
   }
+}
+
+//------------------------------------------------------------------------------
+shadow::SilhouetteMethod
+vtkShadowVolumePass::vtkInternals::RendererState::ChooseMethod(int wanted, int samples, std::string& note)
+{
+  if (this->Wanted != wanted)
+  {
+    this->Wanted = wanted;
+    this->Refusals.clear();
+  }
+  auto method = static_cast<shadow::SilhouetteMethod>(wanted);
+  std::string reason;
+  while (true)
+  {
+    const auto refusal = this->Refusals.find(method);
+    const std::string missing = refusal != this->Refusals.end()
+                                    ? refusal->second
+                                    : shadow::findMissing(this->Effect->getCapabilities(), method, samples);
+    if (missing.empty())
+    {
+      break;
+    }
+    reason += (reason.empty() ? "" : "; ") + toString(method) + ": " + missing;
+    method = shadow::nextBest(method);
+  }
+  note = reason.empty() ? "" : reason + "; silhouettes are found by " + toString(method) + " instead";
+  return method;
 }
 
 //------------------------------------------------------------------------------
@@ -123,12 +151,14 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
   this->LightingPasses = 0;
   this->LightingMilliseconds = 0.0;
 
-  const shadow::Stopwatch stage;
-  state.ChooseEffect(static_cast<shadow::SilhouetteMethod>(self->SilhouetteMethod));
-  this->UpdateScene(self, state);
+  this->SceneMilliseconds = 0.0;
   state.View = currentView(renderer, window);
   const shadow::LightList lights = shadow::collectLights(renderer);
-  this->SceneMilliseconds = stage.getMilliseconds();
+
+  if (!this->RenderMask(self, state, lights))
+  {
+    return false;
+  }
   for (const std::string& message : lights.messages)
   {
     this->AddMessage(message);
@@ -136,22 +166,6 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
   for (const std::string& message : this->ShaderMessages)
   {
     this->AddMessage(message);
-  }
-
-  shadow::ShadowVolumeEffect::Settings settings;
-  settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
-  settings.silhouetteMethod = static_cast<shadow::SilhouetteMethod>(self->SilhouetteMethod);
-  settings.countBuffer = static_cast<shadow::CountBuffer>(self->CountBuffer);
-  settings.coplanarTolerance = self->CoplanarTolerance;
-  settings.samples = self->Samples;
-  settings.waitAfterStages = self->MeasureStages;
-  std::string error;
-  if (!state.Effect->renderMask(window, state.View, lights.lights, settings, error))
-  {
-    this->Message.clear();
-    this->AddMessage(error);
-    this->Status = STATUS_NOT_SUPPORTED;
-    return false;
   }
 
   this->ShadowLights = static_cast<int>(lights.lights.size());
@@ -169,6 +183,44 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
     this->ShaderMessages.clear();
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, RendererState& state,
+                                                   const shadow::LightList& lights)
+{
+  shadow::ShadowVolumeEffect::Settings settings;
+  settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
+  settings.countBuffer = static_cast<shadow::CountBuffer>(self->CountBuffer);
+  settings.coplanarTolerance = self->CoplanarTolerance;
+  settings.samples = self->Samples;
+  settings.waitAfterStages = self->MeasureStages;
+  while (true)
+  {
+    std::string note;
+    settings.silhouetteMethod = state.ChooseMethod(self->SilhouetteMethod, self->Samples, note);
+    const shadow::Stopwatch scene;
+    state.ChooseEffect(settings.silhouetteMethod);
+    this->UpdateScene(self, state);
+    this->SceneMilliseconds += scene.getMilliseconds();
+    std::string error;
+    if (state.Effect->renderMask(state.Window, state.View, lights.lights, settings, error))
+    {
+      this->UsedMethod = static_cast<int>(settings.silhouetteMethod);
+      this->AddNote(note);
+      return true;
+    }
+    if (!shadow::isOnGPU(settings.silhouetteMethod))
+    {
+      // It was not the method's fault.
+      state.Refusals.clear();
+      this->Message.clear();
+      this->AddMessage(error);
+      this->Status = STATUS_NOT_SUPPORTED;
+      return false;
+    }
+    state.Refusals[settings.silhouetteMethod] = error;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -242,8 +294,14 @@ bool vtkShadowVolumePass::vtkInternals::IsCasting(vtkProp* prop) const
 void vtkShadowVolumePass::vtkInternals::AddMessage(const std::string& message)
 {
   this->Status = std::max<int>(this->Status, STATUS_PARTIAL);
-  if (this->Message.find(message) == std::string::npos)
+  this->AddNote(message);
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::AddNote(const std::string& note)
+{
+  if (this->Message.find(note) == std::string::npos)
   {
-    this->Message += (this->Message.empty() ? "" : "\n") + message;
+    this->Message += (this->Message.empty() ? "" : "\n") + note;
   }
 }

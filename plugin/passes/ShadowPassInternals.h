@@ -20,6 +20,7 @@
 #include <vtkVolumetricPass.h>
 #include <vtkWeakPointer.h>
 
+#include "LightCollector.h"
 #include "LightingHook.h"
 #include "SceneBuilder.h"
 #include "ShadowVolumeEffect.h"
@@ -44,6 +45,15 @@ public:
 
     ~RendererState();
 
+    /// What a method had to give way for: as many as the GL has turned out to be unable to do since the
+    /// wanted method or the context changed.
+    std::map<shadow::SilhouetteMethod, std::string> Refusals;
+    int Wanted = -1; ///< what Refusals belong to
+
+    /// The method to use for the one that is wanted: that, or the next best that the GL can do.
+    /// @param note  one line when it is not the wanted one
+    shadow::SilhouetteMethod ChooseMethod(int wanted, int samples, std::string& note);
+
     /// Has the effect that a silhouette method needs.
     void ChooseEffect(shadow::SilhouetteMethod method);
 
@@ -62,7 +72,8 @@ public:
   void Release(vtkWindow* window);
   void SetCasting(vtkProp* prop, bool casting);
   bool IsCasting(vtkProp* prop) const;
-  void AddMessage(const std::string& message);
+  void AddMessage(const std::string& message); ///< of something left out
+  void AddNote(const std::string& note);       ///< of something that leaves the picture as it should be
 
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<vtkLightsPass> LightsPass;
@@ -83,6 +94,7 @@ public:
   std::set<std::string> ShaderMessages; ///< of shaders that have been built since ShaderTime
   std::set<shadow::CasterCuller::Skipped> Skipped;
   int ShadowLights = 0;
+  int UsedMethod = -1; ///< SilhouetteMethods; none before the first rendering
   int LightingPasses = 0;
   double SceneMilliseconds = 0.0;
   double LightingMilliseconds = 0.0;
@@ -90,6 +102,7 @@ public:
 private:
   RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
   void UpdateScene(vtkShadowVolumePass* self, RendererState& state);
+  bool RenderMask(vtkShadowVolumePass* self, RendererState& state, const shadow::LightList& lights);
 
   std::map<vtkProp*, vtkWeakPointer<vtkProp>> NotCasting;
 };

@@ -99,15 +99,24 @@ public:
     SILHOUETTE_FACING_TEXTURE, ///< facing drawn by the GPU into a texture and read back (Shi 2006,
                                ///< chapter 3.3)
     SILHOUETTE_FACING_TEXTURE_RESIDENT, ///< the same without reading it back
-    SILHOUETTE_VERTEX_EXTRUSION         ///< every edge a quad on the GPU (McGuire & Hughes 2004)
+    SILHOUETTE_VERTEX_TEXTURE,          ///< state of every edge drawn by the GPU into a texture (Brabec &
+                                        ///< Seidel 2003)
+    SILHOUETTE_VERTEX_EXTRUSION,        ///< every edge a quad on the GPU (McGuire & Hughes 2004)
+    SILHOUETTE_GEOMETRY_SHADER, ///< triangles with adjacency in the geometry shader (Zerari & Babahenini
+                                ///< 2011)
+    SILHOUETTE_COMPUTE          ///< silhouette edges listed by compute shaders; needs GL 4.3
   };
 
   ///@{
   /**
-   * The silhouette method. All methods give the same picture. Auto (default) takes the one that is faster
-   * for the size of each caster.
+   * The silhouette method. All methods give the same picture. Auto (default) takes the one that is faster on
+   * the CPU for the size of each caster.
+   *
+   * A method that the GL cannot do gives way to the next best: SILHOUETTE_FACING_TEXTURE_RESIDENT, then
+   * SILHOUETTE_FACING_TEXTURE, then SILHOUETTE_BRUTE_FORCE. GetStatusMessage() tells why; the status stays
+   * OK, since the picture is the same.
    */
-  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_AUTO, SILHOUETTE_VERTEX_EXTRUSION);
+  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_AUTO, SILHOUETTE_COMPUTE);
   vtkGetMacro(SilhouetteMethod, int);
   void SetSilhouetteMethodToAuto() { this->SetSilhouetteMethod(SILHOUETTE_AUTO); }
   void SetSilhouetteMethodToBruteForce() { this->SetSilhouetteMethod(SILHOUETTE_BRUTE_FORCE); }
@@ -127,6 +136,11 @@ public:
   vtkSetClampMacro(CoplanarTolerance, double, 0.0, 89.0);
   vtkGetMacro(CoplanarTolerance, double);
   ///@}
+
+  /**
+   * The method that the last rendering used; SilhouetteMethod before the first.
+   */
+  int GetUsedSilhouetteMethod() const;
 
   /// How light and shadow are put together.
   enum CompositingMethods
@@ -221,7 +235,8 @@ public:
   int GetStatus() const;
 
   /**
-   * One line a cause for a status other than OK; empty otherwise.
+   * One line for each cause of a status other than OK, and one for a silhouette method that had to give way
+   * to another, which is no failure; empty otherwise. A new message is also a vtkWarningMacro, once.
    */
   std::string GetStatusMessage() const;
 
@@ -263,6 +278,7 @@ public:
    */
   double GetSceneMilliseconds() const;      ///< mirroring props, adjacency
   double GetSilhouetteMilliseconds() const; ///< facing, silhouette, volume, all lights
+  double GetReadBackMilliseconds() const;   ///< of these, copying back what a GPU found; 0 where nothing is
   double GetPrePassMilliseconds() const;
   double GetStencilMilliseconds() const;
   double GetLightingMilliseconds() const;

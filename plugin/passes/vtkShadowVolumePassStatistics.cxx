@@ -16,6 +16,12 @@ std::string vtkShadowVolumePass::GetStatusMessage() const
 }
 
 //------------------------------------------------------------------------------
+int vtkShadowVolumePass::GetUsedSilhouetteMethod() const
+{
+  return this->Internals->UsedMethod >= 0 ? this->Internals->UsedMethod : this->SilhouetteMethod;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkShadowVolumePass::GetPrePassTriangles() const
 {
   return static_cast<vtkIdType>(this->Internals->GetStatistics().prePassTriangles);
@@ -106,6 +112,11 @@ double vtkShadowVolumePass::GetSceneMilliseconds() const
 double vtkShadowVolumePass::GetSilhouetteMilliseconds() const
 {
   return this->Internals->GetStatistics().silhouetteMilliseconds;
+}
+
+double vtkShadowVolumePass::GetReadBackMilliseconds() const
+{
+  return this->Internals->GetStatistics().readBackMilliseconds;
 }
 
 double vtkShadowVolumePass::GetPrePassMilliseconds() const

@@ -8,9 +8,13 @@
 namespace shadow::benchmarks
 {
 
-/// The upper one of the two in the middle, where there are two. @pre not empty
+/// The upper one of the two in the middle, where there are two; 0 of none.
 inline double median(std::vector<double> values)
 {
+  if (values.empty())
+  {
+    return 0.0;
+  }
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
                    values.end());
   return values[values.size() / 2];

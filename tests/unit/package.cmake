@@ -16,11 +16,11 @@ if(VTKSHADOW_HEADLESS)
 endif()
 
 if(VTKSHADOW_HEADLESS AND VTKSHADOW_PYTHON_WRAPPED)
-  foreach(case renders vtk_first no_osmesa without_headless)
+  foreach(case renders_by_osmesa renders_by_egl vtk_first no_osmesa no_egl unknown_backend without_headless)
     add_test(NAME package.Python_${case}
       COMMAND ${VTKSHADOW_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/python_import.py ${case})
     set_tests_properties(package.Python_${case} PROPERTIES
-      LABELS unit FIXTURES_REQUIRED package TIMEOUT 120
+      LABELS unit FIXTURES_REQUIRED package TIMEOUT 120 SKIP_REGULAR_EXPRESSION "^SKIPPED"
       ENVIRONMENT "PYTHONPATH=${package_prefix}/${VTKSHADOW_PYTHON_DESTINATION}")
   endforeach()
 endif()

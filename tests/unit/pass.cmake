@@ -16,6 +16,7 @@ if(VTKSHADOW_HEADLESS)
   target_link_libraries(shadow_ball_scene PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings)
 
   add_executable(test_pass
+    test_gpu_silhouette.cxx
     test_pass_changes.cxx
     test_pass_growth.cxx
     test_pass_lights.cxx
@@ -27,7 +28,7 @@ if(VTKSHADOW_HEADLESS)
     test_pass_uses.cxx
     test_pass_windows.cxx)
   target_link_libraries(test_pass PRIVATE
-    shadow_ball_scene shadow_drawable GTest::gtest_main shadow_warnings
+    shadow_ball_scene shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
     VTK::CommonExecutionModel VTK::FiltersCore VTK::FiltersSources VTK::ImagingCore VTK::InteractionStyle
     VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2)
   vtk_module_autoinit(TARGETS test_pass MODULES
@@ -54,4 +55,40 @@ if(VTKSHADOW_HEADLESS)
   add_test(NAME SilhouetteCamera.OnGL32 COMMAND test_gpu)
   set_tests_properties(SilhouetteCamera.OnGL32 PROPERTIES LABELS unit ENVIRONMENT
     "MESA_GL_VERSION_OVERRIDE=3.2;MESA_GLSL_VERSION_OVERRIDE=150;MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader5")
+  add_executable(test_headless test_headless.cxx)
+  target_link_libraries(test_headless PRIVATE
+    shadow_ball_scene GTest::gtest_main shadow_warnings ${CMAKE_DL_LIBS})
+  vtk_module_autoinit(TARGETS test_headless MODULES VTK::RenderingOpenGL2)
+  foreach(suite_and_choice HeadlessOSMesa= HeadlessEGL=egl HeadlessUnknown=display)
+    string(REGEX MATCH "^[^=]*" suite ${suite_and_choice})
+    string(REGEX REPLACE "^[^=]*=" "" choice ${suite_and_choice})
+    gtest_discover_tests(test_headless TEST_FILTER ${suite}.* DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS unit ENVIRONMENT VTKSHADOW_HEADLESS=${choice})
+  endforeach()
+  # Silhouettes that the GPU keeps, read back. The benchmarks use this as well.
+  add_library(shadow_silhouette_probe STATIC SilhouetteProbe.cxx VolumeOracle.cxx)
+  target_include_directories(shadow_silhouette_probe PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+  target_link_libraries(shadow_silhouette_probe
+    PUBLIC shadow_test_scene shadow_drawable shadow_test_meshes PRIVATE shadow_warnings)
+
+  # What is drawn, and with what on a GL that can do less.
+  add_executable(test_gpu_silhouettes test_gpu_silhouettes.cxx test_gpu_methods.cxx)
+  target_link_libraries(test_gpu_silhouettes PRIVATE
+    shadow_silhouette_probe shadow_ball_scene GTest::gtest_main shadow_warnings)
+  vtk_module_autoinit(TARGETS test_gpu_silhouettes MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
+  gtest_discover_tests(test_gpu_silhouettes DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+  # Once more on a GL without compute shaders, and on the least there may be, bare of what it usually brings along.
+  add_test(NAME GPUMethods.OnGL33 COMMAND test_gpu_silhouettes)
+  add_test(NAME GPUMethods.OnGL32 COMMAND test_gpu_silhouettes)
+  # And on one that says it can, and then does not.
+  add_test(NAME GPUMethods.BrokenCompute COMMAND test_gpu_silhouettes --gtest_filter=GPUMethods.*)
+  set_tests_properties(GPUMethods.OnGL33 GPUMethods.OnGL32 GPUMethods.BrokenCompute PROPERTIES
+    LABELS unit TIMEOUT 300)
+  set_property(TEST GPUMethods.BrokenCompute PROPERTY ENVIRONMENT
+    MESA_GL_VERSION_OVERRIDE=4.3 MESA_GLSL_VERSION_OVERRIDE=420 SHADOW_TEST_BROKEN_COMPUTE=1)
+  set_property(TEST GPUMethods.OnGL33 PROPERTY ENVIRONMENT
+    MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330)
+  set_property(TEST GPUMethods.OnGL32 PROPERTY ENVIRONMENT
+    MESA_GL_VERSION_OVERRIDE=3.2 MESA_GLSL_VERSION_OVERRIDE=150
+    "MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader5 -GL_ARB_sample_shading -GL_ARB_clip_control")
 endif()

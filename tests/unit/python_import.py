@@ -1,6 +1,7 @@
 """The installed Python package, seen from outside: python_import.py CASE, a function below."""
 
 import ctypes
+import os
 import sys
 
 
@@ -24,16 +25,31 @@ def vtk_first():
     expect_import_error(["before", "vtkmodules"])
 
 
-def no_osmesa():
+def expect_import_error_without(library):
     load = ctypes.CDLL
 
-    def load_without_osmesa(name, *arguments, **settings):
-        if name is not None and "OSMesa" in name:
+    def load_others(name, *arguments, **settings):
+        if name is not None and library in name:
             raise OSError(name + ": cannot open shared object file")
         return load(name, *arguments, **settings)
 
-    ctypes.CDLL = load_without_osmesa
-    expect_import_error(["OSMesa", "not found"])
+    ctypes.CDLL = load_others
+    expect_import_error([library, "not found"])
+
+
+def no_osmesa():
+    os.environ["VTKSHADOW_HEADLESS"] = "osmesa"
+    expect_import_error_without("OSMesa")
+
+
+def no_egl():
+    os.environ["VTKSHADOW_HEADLESS"] = "egl"
+    expect_import_error_without("EGL")
+
+
+def unknown_backend():
+    os.environ["VTKSHADOW_HEADLESS"] = "display"
+    expect_import_error(["display", "osmesa", "egl"])
 
 
 def without_headless():
@@ -90,7 +106,22 @@ def make_scene():
     return renderer
 
 
-def renders():
+def renders_by_osmesa():
+    os.environ["VTKSHADOW_HEADLESS"] = ""
+    renders("OSMesa")
+
+
+def renders_by_egl():
+    os.environ["VTKSHADOW_HEADLESS"] = "egl"
+    try:
+        ctypes.CDLL("libEGL.so.1")
+    except OSError as error:
+        print("SKIPPED: there is no libEGL to test: " + str(error))
+        return
+    renders("EGL")
+
+
+def renders(backend):
     import vtkshadow.headless
     from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
     from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -103,6 +134,8 @@ def renders():
     window.SetSize(160, 120)
     window.AddRenderer(renderer)
     window.Render()
+    if not window.GetBackend().startswith(backend):
+        fail("drawn by " + window.GetBackend())
     if shadows.GetStatus() != vtkShadowVolumePass.STATUS_OK:
         fail("status: " + shadows.GetStatusMessage())
 
@@ -121,5 +154,7 @@ def renders():
         fail("the picture has only %d colours" % len(colours))
 
 
+CASES = (renders_by_osmesa, renders_by_egl, vtk_first, no_osmesa, no_egl, unknown_backend, without_headless)
+
 if __name__ == "__main__":
-    {case.__name__: case for case in (renders, vtk_first, no_osmesa, without_headless)}[sys.argv[1]]()
+    {case.__name__: case for case in CASES}[sys.argv[1]]()

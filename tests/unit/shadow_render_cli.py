@@ -11,7 +11,7 @@ import subprocess
 import unittest
 
 import shadow_render_files as files
-from shadow_render_case import FROM_ABOVE, PROGRAM, CommandLine
+from shadow_render_case import FROM_ABOVE, PROGRAM, SILHOUETTES, CommandLine
 
 
 class Drawing(CommandLine):
@@ -70,10 +70,8 @@ class Drawing(CommandLine):
     def test_methods_give_the_same_mask(self):
         masks = []
         for i, options in enumerate((["--stencil", "zpass"], ["--stencil", "zfail"], ["--stencil", "auto"],
-                                     ["--compositing", "additive"], ["--silhouette", "brute-force"],
-                                     ["--silhouette", "edge-buffer"], ["--silhouette", "triangular"],
-                                     ["--silhouette", "visible-nonvisible"], ["--silhouette", "hybrid"],
-                                     ["--silhouette", "hierarchical"])):
+                                     ["--compositing", "additive"],
+                                     *(["--silhouette", name] for name in SILHOUETTES))):
             self.draw("cube.obj", "--mask", f"{i}.png", "--light", "point:-2,4,1", *options, *FROM_ABOVE)
             masks.append(self.shadow(f"{i}.png"))
         self.assertTrue(masks[0])
@@ -144,6 +142,13 @@ class Reporting(CommandLine):
                          {"scene", "silhouette", "prePass", "stencil", "lighting", "frame"})
         self.assertGreater(frame["memoryBytes"], 0)
         self.assertGreater(frame["silhouetteEdges"], 0)
+
+    def test_report_names_the_silhouette_method(self):
+        for name in SILHOUETTES:
+            report = self.report("cube.obj", "--silhouette", name)
+            self.assertEqual(report["settings"]["silhouette"], name)
+            self.assertEqual(report["frames"][0]["status"], "ok")
+            self.assertGreater(report["frames"][0]["triangles"]["sides"], 0)
 
     def test_report_has_an_entry_for_each_frame(self):
         report = self.report("cube.obj", "--frames", "3", "--mask", "mask.png")

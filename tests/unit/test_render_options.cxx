@@ -1,10 +1,12 @@
 #include "RenderOptions.h"
+#include "SilhouetteFinder.h"
 #include "UserError.h"
 
 #include <gtest/gtest.h>
 
 #include <clocale>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -135,6 +137,19 @@ TEST(RenderOptions, Help_NamesEveryOption)
   }
 }
 
+TEST(RenderOptions, SilhouetteNames_AreTheLibrarys)
+{
+  const std::vector<std::string>& names = silhouetteNames();
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    EXPECT_EQ(names[i], shadow::toString(static_cast<shadow::SilhouetteMethod>(i)));
+    EXPECT_EQ(parse({"--silhouette", names[i]}).silhouetteMethod, static_cast<int>(i));
+    EXPECT_NE(parse({"--help"}).help.find(names[i] + ":"), std::string::npos) << names[i];
+  }
+  EXPECT_THROW(shadow::toString(static_cast<shadow::SilhouetteMethod>(names.size())), std::invalid_argument)
+      << "a method has no name on the command line";
+}
+
 struct Refused
 {
   std::vector<std::string> arguments;
@@ -168,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"--output", "--mask", "m.png"}, "--output: needs a value"}, Refused{{"--mask="}, "--mask"},
         Refused{{"--floor", "maybe"}, "allowed: off, on"},
         Refused{{"--stencil", "both"}, "auto, zpass, zfail"},
-        Refused{{"--silhouette", "gpu"}, "allowed: auto, brute-force"},
+        Refused{{"--silhouette", "gpu"}, "allowed: auto, brute-force, edge-buffer, "},
         Refused{{"--compositing", "add"}, "mask, additive"}, Refused{{"--samples", "0"}, "between 1 and 32"},
         Refused{{"--samples", "33"}, "between 1 and 32"}, Refused{{"--samples", "2.0"}, "whole number"},
         Refused{{"--samples", "99999999999999999999"}, "between 1 and 32"},

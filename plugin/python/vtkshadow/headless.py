@@ -2,46 +2,56 @@
 
     import vtkshadow.headless
 
-It puts OSMesa, a renderer in software, in front of the system's GL for the whole process; the window to use is then
-vtkshadow.vtkHeadlessRenderWindow.
+It stands in front of the system's GL for the whole process; the window to use is then vtkshadow.vtkHeadlessRenderWindow.
+The environment variable VTKSHADOW_HEADLESS chooses what draws: `osmesa` (default), a renderer in software, or `egl`, a GPU
+where there is one.
 """
 
 import ctypes
-import ctypes.util
 import os
 import sys
 
 from ._location import LIBRARIES
 
+# What the window will load, and Debian's package of it.
+_BACKENDS = {
+    "osmesa": (["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"], "OSMesa", "libosmesa6"),
+    "egl": (["libEGL.so.1", "libEGL.so"], "EGL", "libegl1"),
+}
 
-def _load(names, missing):
-    """Loads the first library that there is, so that its symbols come before those of libraries loaded later."""
+
+def _load(names, missing, mode):
+    """Loads the first library that there is."""
     reasons = []
     for name in names:
         try:
-            return ctypes.CDLL(name, mode=ctypes.RTLD_GLOBAL)
+            return ctypes.CDLL(name, mode=mode)
         except OSError as error:
             reasons.append(str(error))
     raise ImportError(missing + ": " + "; ".join(reasons))
 
 
-def _put_osmesa_first():
+def _stand_in_front_of_gl():
     if "vtkmodules" in sys.modules:
         raise ImportError(
             "vtkshadow.headless has to be imported before vtkmodules (or vtk, or pyvista): "
             "VTK has already loaded the GL of the system"
         )
-    other_name = ctypes.util.find_library("OSMesa")
-    osmesa = _load(
-        ["libOSMesa.so.8"] + ([other_name] if other_name else []),
-        "vtkshadow.headless needs OSMesa, which was not found (Debian: libosmesa6)",
+    choice = os.environ.get("VTKSHADOW_HEADLESS") or "osmesa"
+    if choice not in _BACKENDS:
+        raise ImportError(f"VTKSHADOW_HEADLESS is {choice}, and not osmesa or egl")
+    names, title, package = _BACKENDS[choice]
+    backend = _load(
+        names, f"vtkshadow.headless needs {title}, which was not found (Debian: {package})", ctypes.RTLD_LOCAL
     )
     folder = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), LIBRARIES))
+    # Globally, so that its symbols come before those of libraries loaded later.
     shim = _load(
         [os.path.join(folder, "libvtkShadowGLX.so"), "libvtkShadowGLX.so"],
         "vtkshadow.headless did not find libvtkShadowGLX.so, a part of vtkShadow",
+        ctypes.RTLD_GLOBAL,
     )
-    return osmesa, shim
+    return backend, shim
 
 
-_libraries = _put_osmesa_first()
+_libraries = _stand_in_front_of_gl()

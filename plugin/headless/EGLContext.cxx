@@ -1,0 +1,194 @@
+#include "EGLContext.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "EGLFunctions.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+using egl::Functions;
+
+struct Candidate
+{
+  egl::Display display;
+  std::string name;
+};
+
+bool isSoftware(egl::Device device)
+{
+  return Functions::get().queryDeviceString != nullptr &&
+         egl::hasWord(Functions::get().queryDeviceString(device, egl::Extensions),
+                      "EGL_MESA_device_software");
+}
+
+/// Displays that need no window system: GPUs, then software, then what Mesa finds without a device.
+std::vector<Candidate> listCandidates()
+{
+  const Functions& functions = Functions::get();
+  std::vector<Candidate> candidates;
+  if (functions.hasClientExtension("EGL_EXT_platform_device") && functions.queryDevices != nullptr)
+  {
+    int count = 0;
+    functions.queryDevices(0, nullptr, &count);
+    std::vector<egl::Device> devices(static_cast<std::size_t>(std::max(count, 0)));
+    functions.queryDevices(count, devices.data(), &count);
+    for (const bool software : {false, true})
+    {
+      for (std::size_t i = 0; i < devices.size(); ++i)
+      {
+        if (isSoftware(devices[i]) == software)
+        {
+          candidates.push_back({functions.getPlatformDisplay(egl::PlatformDevice, devices[i], nullptr),
+                                "device " + std::to_string(i)});
+        }
+      }
+    }
+  }
+  if (functions.hasClientExtension("EGL_MESA_platform_surfaceless"))
+  {
+    candidates.push_back(
+        {functions.getPlatformDisplay(egl::PlatformSurfaceless, nullptr, nullptr), "without a surface"});
+  }
+  return candidates;
+}
+
+egl::Config chooseConfig(egl::Display display)
+{
+  const int attributes[] = {egl::SurfaceType,
+                            egl::PbufferBit,
+                            egl::RenderableType,
+                            egl::OpenGLBit,
+                            egl::RedSize,
+                            8,
+                            egl::GreenSize,
+                            8,
+                            egl::BlueSize,
+                            8,
+                            egl::AlphaSize,
+                            8,
+                            egl::DepthSize,
+                            24,
+                            egl::StencilSize,
+                            8,
+                            egl::None};
+  egl::Config config = nullptr;
+  int count = 0;
+  const bool chosen = Functions::get().chooseConfig(display, attributes, &config, 1, &count) != 0;
+  return chosen && count > 0 ? config : nullptr;
+}
+
+/// The highest core profile there is; VTK needs 3.2.
+egl::Context createContext(egl::Display display, egl::Config config)
+{
+  for (const auto& version : {std::pair<int, int>{4, 6}, {4, 5}, {4, 3}, {3, 3}, {3, 2}})
+  {
+    const int attributes[] = {egl::ContextMajorVersion,
+                              version.first,
+                              egl::ContextMinorVersion,
+                              version.second,
+                              egl::ContextProfileMask,
+                              egl::ContextCoreProfileBit,
+                              egl::None};
+    egl::Context context = Functions::get().createContext(display, config, nullptr, attributes);
+    if (context != nullptr)
+    {
+      return context;
+    }
+  }
+  return nullptr;
+}
+
+} // namespace
+
+EGLContext::EGLContext()
+{
+  std::string reasons;
+  for (const Candidate& candidate : listCandidates())
+  {
+    std::string reason;
+    if (this->open(candidate.display, reason))
+    {
+      this->description += ", " + candidate.name;
+      return;
+    }
+    reasons += "; " + candidate.name + ": " + reason;
+  }
+  throw std::runtime_error("EGL gives no OpenGL 3.2 core context without a display" +
+                           (reasons.empty() ? "; it lists no device" : reasons));
+}
+
+bool EGLContext::open(void* candidate, std::string& reason)
+{
+  const Functions& functions = Functions::get();
+  int major = 0;
+  int minor = 0;
+  if (candidate == nullptr || functions.initialize(candidate, &major, &minor) == 0)
+  {
+    reason = "cannot be opened";
+    return false;
+  }
+  // Before 1.5 functions of GL 1.1 may be missing from eglGetProcAddress.
+  const std::string version = std::to_string(major) + "." + std::to_string(minor);
+  if (std::pair<int, int>{major, minor} < std::pair<int, int>{1, 5} || functions.bindAPI(egl::OpenGLApi) == 0)
+  {
+    reason = "EGL " + version + " without OpenGL, or before 1.5";
+    return false;
+  }
+  egl::Config config = chooseConfig(candidate);
+  const int size[] = {egl::Width, bufferSize, egl::Height, bufferSize, egl::None};
+  egl::Surface newSurface =
+      config != nullptr ? functions.createPbufferSurface(candidate, config, size) : nullptr;
+  if (newSurface == nullptr)
+  {
+    reason = "no buffer with colour, depth and stencil";
+    return false;
+  }
+  egl::Context newContext = createContext(candidate, config);
+  if (newContext == nullptr)
+  {
+    functions.destroySurface(candidate, newSurface);
+    reason = "no OpenGL 3.2 core profile";
+    return false;
+  }
+  this->display = candidate;
+  this->surface = newSurface;
+  this->context = newContext;
+  this->description = "EGL " + version + " of " + functions.queryString(candidate, egl::Vendor);
+  return true;
+}
+
+EGLContext::~EGLContext()
+{
+  const Functions& functions = Functions::get();
+  if (this->isCurrent())
+  {
+    functions.makeCurrent(this->display, nullptr, nullptr, nullptr);
+  }
+  functions.destroyContext(this->display, this->context);
+  functions.destroySurface(this->display, this->surface);
+}
+
+bool EGLContext::makeCurrent()
+{
+  return this->isCurrent() ||
+         Functions::get().makeCurrent(this->display, this->surface, this->surface, this->context) != 0;
+}
+
+bool EGLContext::isCurrent() const
+{
+  return Functions::get().getCurrentContext() == this->context;
+}
+
+vtkShadowGLFunction EGLContext::getFunction(const char* name)
+{
+  return Functions::get().getProcAddress(name);
+}
+
+} // namespace shadow

@@ -1,0 +1,169 @@
+//VTK::System::Dec
+// volume.geom - silhouette, sides and caps of a volume from triangles with adjacency. Drawn by
+// nodes/drawable/GeometryShaderSilhouette through AdjacentTriangles, after adjacency.vert.
+// Corners 0, 2 and 4 are a triangle as it is oriented. 1, 3 and 5 complete its neighbours across the edges from the corner
+// before to the corner after; a border has the corner before in place of a neighbour's.
+// Emits at most 24 vertices of 5 components, far below what every GL takes (256 and 1024).
+// in   vertexMC, farPosition  see adjacency.vert
+// unif light            int   Light::index
+// unif lightFacingOnly  int   1: Casting::LightFacing
+// unif sideBias         vec2  as depthBias in extrusion.glsl, for sides
+// def  SHADOW_CAPS            what follows is wanted:
+// unif lightCap         int   1: near copies of casting triangles
+// unif darkTriangles    int   1: far copies, see Extruder::addDarkTriangles() in nodes/geometry/ShadowVolume.cxx
+// unif darkFan          int   1: a fan over the far ends of the sides
+// unif apexMC           vec3  whose far copy is the fan's apex
+// out  multiplicity     float see volume.frag
+// Source: Zerari & Babahenini 2011, "Shadow Volume in Real-Time Rendering"; open meshes and caps are ours
+#include "facingSource.glsl"
+#include "extrusion.glsl"
+layout(triangles_adjacency) in;
+#ifdef SHADOW_CAPS
+layout(triangle_strip, max_vertices = 24) out;
+#else
+layout(triangle_strip, max_vertices = 12) out;
+#endif
+in vec3 vertexMC[];
+in vec4 farPosition[];
+uniform int light;
+uniform int lightFacingOnly;
+uniform vec2 sideBias;
+#ifdef SHADOW_CAPS
+uniform int lightCap;
+uniform int darkTriangles;
+uniform int darkFan;
+uniform vec3 apexMC;
+#endif
+flat out float multiplicity;
+
+bool comesBefore(vec3 a, vec3 b)
+{
+  return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z);
+}
+
+// Corners sorted as SEDGeometry::getTriangles() has them: whoever asks about a triangle evaluates it the same way.
+// winding: -1 where they ran against that order, else 1
+ivec3 toRasterOrder(ivec3 corners, out float winding)
+{
+  winding = 1.0;
+  if (comesBefore(vertexMC[corners.y], vertexMC[corners.x]))
+  {
+    corners = corners.yxz;
+    winding = -winding;
+  }
+  if (comesBefore(vertexMC[corners.z], vertexMC[corners.y]))
+  {
+    corners = corners.xzy;
+    winding = -winding;
+  }
+  if (comesBefore(vertexMC[corners.y], vertexMC[corners.x]))
+  {
+    corners = corners.yxz;
+    winding = -winding;
+  }
+  return corners;
+}
+
+// How a triangle casts, see castingSign(). corners: as it is oriented
+int castingOf(ivec3 corners)
+{
+  float winding;
+  corners = toRasterOrder(corners, winding);
+  uvec2 bits = facingBitsOf(vertexMC[corners.x], vertexMC[corners.y], vertexMC[corners.z], winding);
+  return castingSign(bits, light, lightFacingOnly == 1);
+}
+
+void emit(vec4 position, float times)
+{
+  gl_Position = position;
+  multiplicity = times;
+  EmitVertex();
+}
+
+void emitSide(vec4 position, float times)
+{
+  position.z = position.z * sideBias.x + position.w * sideBias.y;
+  emit(position, times);
+}
+
+// The side that hangs from an edge of the silhouette. Of the edge's two triangles the one that casts as it is oriented draws
+// it, or else the one that casts at all: it is drawn once.
+// from, to  the edge as the triangle is oriented
+// own       how the triangle casts, not 0; other: how its neighbour does
+void drawSide(int from, int to, int own, int other)
+{
+  if (own == other || other > 0)
+  {
+    return;
+  }
+  int first = own > 0 ? from : to;
+  int second = own > 0 ? to : from;
+  float times = abs(float(own - other));
+  emitSide(gl_in[first].gl_Position, times);
+  emitSide(farPosition[first], times);
+  emitSide(gl_in[second].gl_Position, times);
+  emitSide(farPosition[second], times);
+  EndPrimitive();
+#ifdef SHADOW_CAPS
+  if (darkFan == 1)
+  {
+    emitSide(toClip(copyOf(apexMC, true)), times);
+    emitSide(farPosition[second], times);
+    emitSide(farPosition[first], times);
+    EndPrimitive();
+  }
+#endif
+}
+
+#ifdef SHADOW_CAPS
+// casts  how the triangle does
+void drawCaps(int casts)
+{
+  float winding;
+  ivec3 corners = toRasterOrder(ivec3(0, 2, 4), winding);
+  if (lightCap == 1 && casts != 0)
+  {
+    float times = winding * float(casts);
+    emit(gl_in[corners.x].gl_Position, times);
+    emit(gl_in[corners.y].gl_Position, times);
+    emit(gl_in[corners.z].gl_Position, times);
+    EndPrimitive();
+  }
+  // The averted triangles of a closed mesh have the border of the others, the other way round.
+  int turned = lightFacingOnly == 1 ? 1 - casts : -casts;
+  if (darkTriangles == 1 && turned != 0)
+  {
+    // The middle corner first: rasterisers derive depth from the two edges at the first corner, and in the products of short
+    // edges less is lost; a sliver would else be without depth. No surface lies there that would ask for raster order.
+    float times = winding * float(turned);
+    emit(farPosition[corners.y], times);
+    emit(farPosition[corners.z], times);
+    emit(farPosition[corners.x], times);
+    EndPrimitive();
+  }
+}
+#endif
+
+void main()
+{
+  int casts = 0;
+  // The triangle, then its neighbours if it casts; all by the same code, so that they agree where nothing is precise.
+  for (int i = 0; i < 4 && (i == 0 || casts != 0); ++i)
+  {
+    int from = max(2 * i - 2, 0);
+    int to = 2 * i % 6;
+    bool border = i > 0 && vertexMC[from + 1] == vertexMC[from];
+    int sign = border ? 0 : castingOf(i == 0 ? ivec3(0, 2, 4) : ivec3(to, from, from + 1));
+    if (i == 0)
+    {
+      casts = sign;
+    }
+    else
+    {
+      drawSide(from, to, casts, sign);
+    }
+  }
+#ifdef SHADOW_CAPS
+  drawCaps(casts);
+#endif
+}

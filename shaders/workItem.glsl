@@ -1,0 +1,7 @@
+// workItem.glsl - chunk: the number of an invocation, however its work groups were laid out by
+// nodes/drawable/ComputeProgram.
+int workItem()
+{
+  uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  return int(group * gl_WorkGroupSize.x + gl_LocalInvocationIndex);
+}

@@ -1,0 +1,238 @@
+// The silhouettes that the GPU finds and keeps, read back: those of the CPU, and closed whatever the light.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <tuple>
+
+#include "ComputeProgram.h"
+#include "OpenGL.h"
+#include "SilhouetteProbe.h"
+#include "TestMeshes.h"
+
+using namespace shadow;
+using namespace shadow::test;
+
+namespace
+{
+
+constexpr std::uint32_t torusSide = 60;
+constexpr std::uint32_t inPlaneLights = 400;
+
+void sort(std::vector<SilhouetteEdge>& silhouette)
+{
+  std::sort(silhouette.begin(), silhouette.end(),
+            [](const SilhouetteEdge& a, const SilhouetteEdge& b)
+            { return std::tuple(a.from, a.to, a.multiplicity) < std::tuple(b.from, b.to, b.multiplicity); });
+}
+
+bool same(std::vector<SilhouetteEdge> a, std::vector<SilhouetteEdge> b)
+{
+  sort(a);
+  sort(b);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const SilhouetteEdge& first, const SilhouetteEdge& second) {
+                      return first.from == second.from && first.to == second.to &&
+                             first.multiplicity == second.multiplicity;
+                    });
+}
+
+/// Point lights inside and outside the mesh, and directional ones.
+std::vector<glm::dvec4> makeLights(std::uint32_t seed, int count)
+{
+  std::mt19937 random(seed);
+  std::vector<glm::dvec4> lights;
+  for (int i = 0; i < count; ++i)
+  {
+    lights.emplace_back(randomPoint(random, i % 3 == 0 ? 0.5 : 6.0), i % 4 == 3 ? 0.0 : 1.0);
+  }
+  return lights;
+}
+
+template <class Method>
+void expectThatOfTheCPU(SilhouetteProbe& probe, Method& method, const std::vector<glm::dvec4>& lights)
+{
+  probe.find(method, lights);
+  const SilhouetteProbe::Silhouettes found = probe.read(method);
+  ASSERT_EQ(found.size(), lights.size());
+  for (std::size_t light = 0; light < lights.size(); ++light)
+  {
+    EXPECT_TRUE(same(found[light], findOnCPU(probe.getGeometry(), lights[light]))) << "light " << light;
+  }
+}
+
+/// Lights of the torus whose silhouette is open by a method.
+template <class Method>
+std::size_t countOpenSilhouettes(SilhouetteProbe& probe, Method& method)
+{
+  std::size_t open = 0;
+  for (std::uint32_t first = 0; first < inPlaneLights; first += maximumLights)
+  {
+    std::vector<glm::dvec4> lights;
+    for (std::uint32_t place = first; place < std::min(first + maximumLights, inPlaneLights); ++place)
+    {
+      lights.push_back(makeInPlaneLight(probe.getGeometry(), torusSide, place));
+    }
+    probe.find(method, lights);
+    for (const std::vector<SilhouetteEdge>& silhouette : probe.read(method))
+    {
+      open += countOpenVertices(probe.getGeometry(), silhouette) > 0 ? 1 : 0;
+    }
+  }
+  return open;
+}
+
+SEDGeometry makeTestTorus()
+{
+  return build(makeTorus(2.0, 0.5, torusSide, torusSide));
+}
+
+} // namespace
+
+TEST(VertexTexture, AnyMeshAndLights_SilhouettesOfTheCPU)
+{
+  for (const NamedMesh& mesh : makeAllMeshes())
+  {
+    SCOPED_TRACE(mesh.name);
+    SilhouetteProbe probe(build(mesh.soup));
+    for (const auto normals : {VertexTexture::Normals::OncePerTriangle, VertexTexture::Normals::PerEdge})
+    {
+      VertexTexture method(normals);
+      expectThatOfTheCPU(probe, method, makeLights(1, maximumLights));
+      expectThatOfTheCPU(probe, method, makeLights(2, 3));
+      expectThatOfTheCPU(probe, method, makeLights(2, 3));
+      method.release(false);
+    }
+  }
+}
+
+TEST(VertexTexture, TextureSplitOverLayers_SilhouettesOfTheCPU)
+{
+  SilhouetteProbe probe(makeTestTorus());
+  VertexTexture method(VertexTexture::Normals::OncePerTriangle, 32);
+  expectThatOfTheCPU(probe, method, makeLights(3, 5));
+  EXPECT_GT(method.getEdgeTexels(probe.getPath()).getLayers(), 1);
+  method.release(false);
+}
+
+TEST(VertexTexture, LightsInThePlaneOfManyTriangles_EverySilhouetteIsClosed)
+{
+  SilhouetteProbe probe(makeTestTorus());
+  for (const auto normals : {VertexTexture::Normals::OncePerTriangle, VertexTexture::Normals::PerEdge})
+  {
+    VertexTexture method(normals);
+    EXPECT_EQ(countOpenSilhouettes(probe, method), 0u);
+    method.release(false);
+  }
+}
+
+// Why the published form is not offered.
+TEST(VertexTexture, AsPublished_LightsInThePlaneOfManyTriangles_LeavesSilhouettesOpen)
+{
+  SilhouetteProbe probe(makeTestTorus());
+  VertexTexture method(VertexTexture::Normals::PerEdgeAsPublished);
+  expectThatOfTheCPU(probe, method, {glm::dvec4(3.0, 4.0, 5.0, 1.0)});
+  const std::size_t open = countOpenSilhouettes(probe, method);
+  RecordProperty("OpenSilhouettes", static_cast<int>(open));
+  EXPECT_GT(open, inPlaneLights / 20);
+  method.release(false);
+}
+
+TEST(ComputeSilhouette, AnyMeshAndLights_SilhouettesOfTheCPU)
+{
+  for (const NamedMesh& mesh : makeAllMeshes())
+  {
+    SCOPED_TRACE(mesh.name);
+    SilhouetteProbe probe(build(mesh.soup));
+    if (!probe.canCompute())
+    {
+      GTEST_SKIP() << "no compute shaders";
+    }
+    ComputeSilhouette method;
+    expectThatOfTheCPU(probe, method, makeLights(1, maximumLights));
+    expectThatOfTheCPU(probe, method, makeLights(2, 3));
+    expectThatOfTheCPU(probe, method, makeLights(2, 3));
+    expectThatOfTheCPU(probe, method, {});
+    method.release(false);
+  }
+}
+
+TEST(ComputeSilhouette, BrokenRowsOfWorkGroupsAndLayers_SilhouettesOfTheCPU)
+{
+  SilhouetteProbe probe(makeTestTorus());
+  if (!probe.canCompute())
+  {
+    GTEST_SKIP() << "no compute shaders";
+  }
+  ComputeSilhouette method(7, 32);
+  expectThatOfTheCPU(probe, method, makeLights(4, 5));
+  method.release(false);
+}
+
+TEST(ComputeSilhouette, LightsInThePlaneOfManyTriangles_EverySilhouetteIsClosed)
+{
+  SilhouetteProbe probe(makeTestTorus());
+  if (!probe.canCompute())
+  {
+    GTEST_SKIP() << "no compute shaders";
+  }
+  ComputeSilhouette method;
+  EXPECT_EQ(countOpenSilhouettes(probe, method), 0u);
+  method.release(false);
+}
+
+TEST(GeometryTexels, MeshThatMoved_OnlyPositionsAreCopied)
+{
+  TriangleSoup soup = makeTorus(2.0, 0.5, torusSide, torusSide);
+  const SEDGeometry before = build(soup);
+  SilhouetteProbe probe(before); // a GL context
+  GeometryTexels texels;
+  std::string error;
+  ASSERT_TRUE(texels.upload(before, error)) << error;
+
+  // Stretching changes no order of coordinates, and so no triangle's raster order.
+  for (glm::dvec3& point : soup.points)
+  {
+    point *= glm::dvec3(1.5, 1.25, 1.125);
+  }
+  const SEDGeometry stretched = build(soup);
+  ASSERT_TRUE(isSameMeshMoved(before, stretched));
+  EXPECT_EQ(texels.update(before, stretched), stretched.getPositions().size());
+
+  // Turning it over changes the order of corners.
+  for (glm::dvec3& point : soup.points)
+  {
+    point = glm::dvec3(-point.y, point.x, point.z);
+  }
+  const SEDGeometry turned = build(soup);
+  ASSERT_TRUE(isSameMeshMoved(stretched, turned));
+  EXPECT_EQ(texels.update(stretched, turned), turned.getPositions().size() + turned.getTriangles().size());
+
+  EXPECT_FALSE(isSameMeshMoved(turned, build(makeTorus(2.0, 0.5, torusSide, torusSide + 1))));
+  texels.release();
+}
+
+TEST(ComputeProgram, BadSource_SaysWhyEachTime)
+{
+  SilhouetteProbe probe(build(makeCube()));
+  if (!probe.canCompute())
+  {
+    GTEST_SKIP() << "no compute shaders";
+  }
+  ComputeProgram broken("#version 430\nlayout(local_size_x = 1) in; void main() { nonsense(); }",
+                        "broken.comp");
+  ComputeProgram unlinkable(
+      "#version 430\nlayout(local_size_x = 1) in; void absent(); void main() { absent(); }",
+      "unlinkable.comp");
+  for (int time = 0; time < 2; ++time)
+  {
+    std::string error;
+    EXPECT_FALSE(broken.use(probe.getWindow(), error));
+    EXPECT_NE(error.find("broken.comp does not compile"), std::string::npos) << error;
+    EXPECT_NE(error.find("nonsense"), std::string::npos) << error;
+    EXPECT_FALSE(unlinkable.use(probe.getWindow(), error));
+    EXPECT_NE(error.find("unlinkable.comp does not link"), std::string::npos) << error;
+  }
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
