@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "EdgeKernel.h"
+#include "Prefetch.h"
 
 namespace shadow
 {
@@ -28,6 +29,20 @@ bool isDecided(const LightFacing& facing)
     all &= towards[word] ^ away[word];
   }
   return all == ~std::uint64_t{0};
+}
+
+/// So many words, or edges, are asked for before their turn.
+constexpr std::size_t ahead = 4;
+constexpr std::size_t farAhead = 8;
+
+void prefetchEdges(const EdgeTable& table, std::uint32_t word)
+{
+  const std::uint32_t inner = table.innerBegins[word];
+  const std::uint32_t outer = table.outerBegins[word];
+  prefetch(table.innerFirst.data() + inner, table.innerBegins[word + 1] - inner);
+  prefetch(table.innerSecond.data() + inner, table.innerBegins[word + 1] - inner);
+  prefetch(table.outerFirst.data() + outer, table.outerBegins[word + 1] - outer);
+  prefetch(table.outerSecond.data() + outer, 4 * (table.outerBegins[word + 1] - outer));
 }
 
 } // namespace
@@ -88,8 +103,18 @@ void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
   const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
   std::vector<DifferingEdge> differing;
-  for (const std::uint32_t word : words)
+  for (std::size_t index = 0; index < words.size(); ++index)
   {
+    const std::uint32_t word = words[index];
+    if (index + farAhead < words.size())
+    {
+      prefetch(&table.innerBegins[words[index + farAhead]], 1);
+      prefetch(&table.outerBegins[words[index + farAhead]], 1);
+    }
+    if (index + ahead < words.size())
+    {
+      prefetchEdges(table, words[index + ahead]);
+    }
     if (!this->isUniform(word))
     {
       kernels.compareInner(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
@@ -103,8 +128,13 @@ void EdgeScan::addDiffering(const std::vector<DifferingEdge>& differing,
                             std::vector<SilhouetteEdge>& silhouette) const
 {
   silhouette.reserve(silhouette.size() + differing.size() + this->geometry.getEdgeTable().borders.size());
-  for (const DifferingEdge& edge : differing)
+  for (std::size_t index = 0; index < differing.size(); ++index)
   {
+    if (index + farAhead < differing.size())
+    {
+      prefetch(&this->geometry.getTriangles()[differing[index + farAhead].first], 1);
+    }
+    const DifferingEdge& edge = differing[index];
     this->add(edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second), silhouette);
   }
 }
