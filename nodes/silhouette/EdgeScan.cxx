@@ -1,5 +1,6 @@
 #include "EdgeScan.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -89,19 +90,27 @@ bool EdgeScan::isUniform(std::uint32_t word) const
 void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
+  constexpr std::size_t atOnce = 256;
   const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
   std::vector<DifferingEdge> differing;
-  kernels.compareInner(table, this->towards, this->away, firstWord, endWord, differing);
-  kernels.compareOuter(table, this->towards, this->away, firstWord, endWord, differing);
-  this->addDiffering(differing, silhouette);
+  for (std::size_t first = firstWord; first < endWord; first += atOnce)
+  {
+    const std::size_t end = std::min(first + atOnce, endWord);
+    kernels.compareInner(table, this->towards, this->away, first, end, differing);
+    kernels.compareOuter(table, this->towards, this->away, first, end, differing);
+    this->moveDiffering(differing, silhouette);
+  }
 }
 
 void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
+  constexpr std::size_t atOnce = 256;
   const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
+  // About half of the words hold an edge, and these some five.
+  silhouette.reserve(silhouette.size() + 4 * words.size() + table.borders.size());
   std::vector<DifferingEdge> differing;
   for (std::size_t index = 0; index < words.size(); ++index)
   {
@@ -120,14 +129,18 @@ void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
       kernels.compareInner(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
     }
     kernels.compareOuter(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    if (differing.size() >= atOnce)
+    {
+      this->moveDiffering(differing, silhouette);
+    }
   }
-  this->addDiffering(differing, silhouette);
+  this->moveDiffering(differing, silhouette);
 }
 
-void EdgeScan::addDiffering(const std::vector<DifferingEdge>& differing,
-                            std::vector<SilhouetteEdge>& silhouette) const
+/// Turns what was found into silhouette edges; the list is empty afterwards.
+void EdgeScan::moveDiffering(std::vector<DifferingEdge>& differing,
+                             std::vector<SilhouetteEdge>& silhouette) const
 {
-  silhouette.reserve(silhouette.size() + differing.size() + this->geometry.getEdgeTable().borders.size());
   for (std::size_t index = 0; index < differing.size(); ++index)
   {
     if (index + farAhead < differing.size())
@@ -137,6 +150,7 @@ void EdgeScan::addDiffering(const std::vector<DifferingEdge>& differing,
     const DifferingEdge& edge = differing[index];
     this->add(edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second), silhouette);
   }
+  differing.clear();
 }
 
 void EdgeScan::addBorders(std::vector<SilhouetteEdge>& silhouette) const
