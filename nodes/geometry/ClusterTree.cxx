@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 
+#include "Prefetch.h"
+
 namespace shadow
 {
 
@@ -140,24 +142,30 @@ ClusterTree::ClusterTree(const std::vector<PlaneBlock>& planes, const EdgeTable&
   nodes = this->words;
   for (std::size_t level = 1; level < this->levels.size(); ++level)
   {
-    const std::size_t children = nodes;
-    nodes = (children + fan - 1) / fan;
-    for (std::size_t node = 0; node < nodes; ++node)
-    {
-      const std::size_t end = std::min(fan * node + fan, children);
-      Bounds bounds;
-      for (std::size_t child = fan * node; child < end; ++child)
-      {
-        bounds.centre += this->load(level - 1, child).centre / static_cast<double>(end - fan * node);
-      }
-      bounds.centre = glm::dvec3(glm::vec3(bounds.centre));
-      for (std::size_t child = fan * node; child < end; ++child)
-      {
-        bounds.add(this->load(level - 1, child));
-      }
-      this->store(level, node, bounds);
-    }
+    nodes = this->boundLevel(level, nodes);
   }
+}
+
+/// Bounds the nodes of a level by their children. @return  how many nodes there are
+std::size_t ClusterTree::boundLevel(std::size_t level, std::size_t children)
+{
+  const std::size_t nodes = (children + fan - 1) / fan;
+  for (std::size_t node = 0; node < nodes; ++node)
+  {
+    const std::size_t end = std::min(fan * node + fan, children);
+    Bounds bounds;
+    for (std::size_t child = fan * node; child < end; ++child)
+    {
+      bounds.centre += this->load(level - 1, child).centre / static_cast<double>(end - fan * node);
+    }
+    bounds.centre = glm::dvec3(glm::vec3(bounds.centre));
+    for (std::size_t child = fan * node; child < end; ++child)
+    {
+      bounds.add(this->load(level - 1, child));
+    }
+    this->store(level, node, bounds);
+  }
+  return nodes;
 }
 
 void ClusterTree::store(std::size_t level, std::size_t node, const Bounds& bounds)
@@ -198,52 +206,61 @@ void ClusterTree::classify(const ScaledLight& light, FacingBits& towards, Facing
   away.clearBeyondEnd();
 }
 
-void ClusterTree::visit(std::size_t level, std::size_t group, Walk& walk) const
+/// Bounds of what the planes of eight nodes give at a light.
+void ClusterTree::evaluate(const Group& nodes, const ScaledLight& light, Lanes& lower, Lanes& upper)
 {
-  // With e = 2^-24 and S as in ScaledLight: the planes and the light are off by 2.5 e S, the light relative
-  // to the centre by 3 e S, evaluating adds 6 e (|x| + |y| + |z| + 3 |w|), as offsets are below 2; and a
-  // corner at the light is within 1 e S. The sum is below 27 e S, and the bound for one plane 8 e S.
-  const float bound = 4.0f * walk.light.bound;
-  const Group& nodes = this->levels[level][group];
-  const std::array<float, 3> light = {walk.light.x, walk.light.y, walk.light.z};
-  Lanes lower{};
-  Lanes upper{};
   for (std::size_t lane = 0; lane < fan; ++lane)
   {
-    const float first = nodes.offsetLower[lane] * walk.light.w;
-    const float second = nodes.offsetUpper[lane] * walk.light.w;
+    const float first = nodes.offsetLower[lane] * light.w;
+    const float second = nodes.offsetUpper[lane] * light.w;
     lower[lane] = std::min(first, second);
     upper[lane] = std::max(first, second);
   }
+  const std::array<float, 3> towards = {light.x, light.y, light.z};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (std::size_t lane = 0; lane < fan; ++lane)
     {
-      const float arm = light[axis] - walk.light.w * nodes.centre[axis][lane];
+      const float arm = towards[axis] - light.w * nodes.centre[axis][lane];
       const float first = nodes.normalLower[axis][lane] * arm;
       const float second = nodes.normalUpper[axis][lane] * arm;
       lower[lane] += std::min(first, second);
       upper[lane] += std::max(first, second);
     }
   }
+}
+
+void ClusterTree::visit(std::size_t level, std::size_t group, Walk& walk) const
+{
+  // With e = 2^-24 and S as in ScaledLight: the planes and the light are off by 2.5 e S, the light relative
+  // to the centre by 3 e S, evaluating adds 6 e (|x| + |y| + |z| + 3 |w|), as offsets are below 2; and a
+  // corner at the light is within 1 e S. The sum is below 27 e S, and the bound for one plane 8 e S.
+  const float bound = 4.0f * walk.light.bound;
+  Lanes lower{};
+  Lanes upper{};
+  evaluate(this->levels[level][group], walk.light, lower, upper);
 
   std::size_t span = 1; // words of a child
   for (std::size_t below = 0; below < level; ++below)
   {
     span *= fan;
   }
-  for (std::size_t lane = 0; lane < fan; ++lane)
+  const std::size_t covered = std::min(this->words - fan * span * group, fan * span);
+  const std::size_t children = (covered + span - 1) / span;
+  const auto isMixed = [&](std::size_t lane) { return !(lower[lane] > bound) && !(upper[lane] < -bound); };
+  for (std::size_t lane = 0; level > 0 && lane < children; ++lane)
+  {
+    if (isMixed(lane))
+    {
+      prefetch(&this->levels[level - 1][fan * group + lane], sizeof(Group));
+    }
+  }
+  for (std::size_t lane = 0; lane < children; ++lane)
   {
     const std::size_t child = fan * group + lane;
-    const std::size_t first = child * span;
-    if (first >= this->words)
+    if (!isMixed(lane))
     {
-      return;
-    }
-    const bool isTowards = lower[lane] > bound;
-    if (isTowards || upper[lane] < -bound)
-    {
-      walk.add(first, std::min(first + span, this->words), isTowards);
+      walk.add(child * span, std::min((child + 1) * span, this->words), lower[lane] > bound);
     }
     else if (level == 0)
     {

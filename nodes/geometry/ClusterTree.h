@@ -65,6 +65,8 @@ private:
   struct Bounds;
   struct Walk;
 
+  static void evaluate(const Group& nodes, const ScaledLight& light, Lanes& lower, Lanes& upper);
+  std::size_t boundLevel(std::size_t level, std::size_t children);
   void store(std::size_t level, std::size_t node, const Bounds& bounds);
   Bounds load(std::size_t level, std::size_t node) const;
   void visit(std::size_t level, std::size_t group, Walk& walk) const;

@@ -27,8 +27,8 @@ struct Edge
 /// triangle: side s runs between the corners s and (s + 1) % 3 in raster order. Inner edges have both
 /// triangles in one word, outer edges in two.
 ///
-/// @par Memory  2 bytes an inner, 5 an outer, 4 a border edge, and 8 bytes a word: about 5 bytes a triangle
-/// of a mesh whose triangles are sorted
+/// @par Memory  2 bytes an inner, 5 an outer, 4 a border edge, and 8 bytes a word: about 4 bytes a triangle
+/// of a mesh whose triangles are sorted into patches
 struct EdgeTable
 {
   /// The number of a triangle in its word, plus 64 times a side of it.

@@ -62,7 +62,7 @@ struct SEDGeometryReport
 /// edge has one or two triangles and sums over triangles stay what they were. Triangles that lie together
 /// stand together: the 64 of a word of FacingBits are a cluster.
 ///
-/// @par Memory  about 42 bytes a triangle
+/// @par Memory  about 39 bytes a triangle
 /// @par Source  Shi 2006, chapter 4.2.2
 class SEDGeometry
 {

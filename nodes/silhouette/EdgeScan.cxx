@@ -1,9 +1,11 @@
 #include "EdgeScan.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
 #include "EdgeKernel.h"
+#include "Prefetch.h"
 
 namespace shadow
 {
@@ -28,6 +30,20 @@ bool isDecided(const LightFacing& facing)
     all &= towards[word] ^ away[word];
   }
   return all == ~std::uint64_t{0};
+}
+
+/// So many words, or edges, are asked for before their turn.
+constexpr std::size_t ahead = 4;
+constexpr std::size_t farAhead = 8;
+
+void prefetchEdges(const EdgeTable& table, std::uint32_t word)
+{
+  const std::uint32_t inner = table.innerBegins[word];
+  const std::uint32_t outer = table.outerBegins[word];
+  prefetch(table.innerFirst.data() + inner, table.innerBegins[word + 1] - inner);
+  prefetch(table.innerSecond.data() + inner, table.innerBegins[word + 1] - inner);
+  prefetch(table.outerFirst.data() + outer, table.outerBegins[word + 1] - outer);
+  prefetch(table.outerSecond.data() + outer, 4 * (table.outerBegins[word + 1] - outer));
 }
 
 } // namespace
@@ -74,39 +90,67 @@ bool EdgeScan::isUniform(std::uint32_t word) const
 void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
+  constexpr std::size_t atOnce = 256;
   const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
   std::vector<DifferingEdge> differing;
-  kernels.compareInner(table, this->towards, this->away, firstWord, endWord, differing);
-  kernels.compareOuter(table, this->towards, this->away, firstWord, endWord, differing);
-  this->addDiffering(differing, silhouette);
+  for (std::size_t first = firstWord; first < endWord; first += atOnce)
+  {
+    const std::size_t end = std::min(first + atOnce, endWord);
+    kernels.compareInner(table, this->towards, this->away, first, end, differing);
+    kernels.compareOuter(table, this->towards, this->away, first, end, differing);
+    this->moveDiffering(differing, silhouette);
+  }
 }
 
 void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
+  constexpr std::size_t atOnce = 256;
   const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
+  // About half of the words hold an edge, and these some five.
+  silhouette.reserve(silhouette.size() + 4 * words.size() + table.borders.size());
   std::vector<DifferingEdge> differing;
-  for (const std::uint32_t word : words)
+  for (std::size_t index = 0; index < words.size(); ++index)
   {
+    const std::uint32_t word = words[index];
+    if (index + farAhead < words.size())
+    {
+      prefetch(&table.innerBegins[words[index + farAhead]], 1);
+      prefetch(&table.outerBegins[words[index + farAhead]], 1);
+    }
+    if (index + ahead < words.size())
+    {
+      prefetchEdges(table, words[index + ahead]);
+    }
     if (!this->isUniform(word))
     {
       kernels.compareInner(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
     }
     kernels.compareOuter(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    if (differing.size() >= atOnce)
+    {
+      this->moveDiffering(differing, silhouette);
+    }
   }
-  this->addDiffering(differing, silhouette);
+  this->moveDiffering(differing, silhouette);
 }
 
-void EdgeScan::addDiffering(const std::vector<DifferingEdge>& differing,
-                            std::vector<SilhouetteEdge>& silhouette) const
+/// Turns what was found into silhouette edges; the list is empty afterwards.
+void EdgeScan::moveDiffering(std::vector<DifferingEdge>& differing,
+                             std::vector<SilhouetteEdge>& silhouette) const
 {
-  silhouette.reserve(silhouette.size() + differing.size() + this->geometry.getEdgeTable().borders.size());
-  for (const DifferingEdge& edge : differing)
+  for (std::size_t index = 0; index < differing.size(); ++index)
   {
+    if (index + farAhead < differing.size())
+    {
+      prefetch(&this->geometry.getTriangles()[differing[index + farAhead].first], 1);
+    }
+    const DifferingEdge& edge = differing[index];
     this->add(edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second), silhouette);
   }
+  differing.clear();
 }
 
 void EdgeScan::addBorders(std::vector<SilhouetteEdge>& silhouette) const

@@ -5,6 +5,7 @@
 
 #include "EdgeScan.h"
 #include "FacingDecider.h"
+#include "Prefetch.h"
 
 namespace shadow
 {
@@ -27,9 +28,14 @@ void HierarchicalSilhouette::face(const SEDGeometry& geometry, const glm::dvec4&
   std::vector<std::uint32_t>& mixed = *facing.mixedWords;
   mixed.clear();
   geometry.getClusterTree().classify(decider.getScaledLight(), facing.towards, facing.away, mixed);
-  for (const std::uint32_t word : mixed)
+  constexpr std::size_t ahead = 4;
+  for (std::size_t index = 0; index < mixed.size(); ++index)
   {
-    decider.decide(word, std::size_t{word} + 1, facing);
+    if (index + ahead < mixed.size())
+    {
+      prefetch(&geometry.getPlaneBlocks()[mixed[index + ahead]], sizeof(PlaneBlock));
+    }
+    decider.decide(mixed[index], std::size_t{mixed[index]} + 1, facing);
   }
 }
 

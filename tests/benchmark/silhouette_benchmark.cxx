@@ -2,27 +2,22 @@
 // silhouette edges. For every method; beside vtkPolyDataSilhouette, beside copying memory, and as meshes
 // grow. What is compared takes turns, and a light moves from run to run. Medians of one run.
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataSilhouette.h>
-
 #include "MeshFiles.h"
-#include "SilhouetteFinder.h"
+#include "SilhouetteRuns.h"
 #include "SmpParallelFor.h"
 #include "TestMeshes.h"
-#include "Timing.h"
+#include "VtkSilhouette.h"
 
 namespace
 {
@@ -32,6 +27,10 @@ using shadow::SilhouetteMethod;
 using shadow::TriangleSoup;
 using shadow::benchmarks::measure;
 using shadow::benchmarks::median;
+using shadow::benchmarks::MemoryCopy;
+using shadow::benchmarks::MovingLight;
+using shadow::benchmarks::Run;
+using shadow::benchmarks::VtkSilhouette;
 
 /// 4 * across^2 triangles.
 TriangleSoup makeTorus(std::int64_t across)
@@ -51,68 +50,18 @@ TriangleSoup makeDentedTorus(std::int64_t across)
   return soup;
 }
 
+/// The bunny where it is found, else a torus of the same size.
+TriangleSoup makeBunny(std::int64_t /*across*/)
+{
+  const std::string file = std::string(MODEL_FOLDER) + "/stanford-bunny.obj";
+  if (!std::filesystem::exists(file))
+  {
+    return makeTorus(132);
+  }
+  return shadow::test::readMeshFile(file);
+}
+
 using MakeMesh = TriangleSoup (*)(std::int64_t across);
-
-/// Around the mesh, from run to run elsewhere: close above it, or a direction.
-class MovingLight
-{
-public:
-  MovingLight(const SEDGeometry& geometry, bool isDirectional)
-      : centre(0.5 * (geometry.getLowerBound() + geometry.getUpperBound())),
-        half(0.5 * (geometry.getUpperBound() - geometry.getLowerBound())), directional(isDirectional)
-  {
-  }
-
-  glm::dvec4 move()
-  {
-    this->angle += 0.1;
-    const glm::dvec3 around(std::cos(this->angle), std::sin(this->angle), 1.25);
-    return this->directional
-               ? glm::dvec4(around, 0.0)
-               : glm::dvec4(this->centre + glm::dvec3(0.4, 0.4, 1.0) * around * this->half, 1.0);
-  }
-
-private:
-  glm::dvec3 centre;
-  glm::dvec3 half;
-  bool directional;
-  double angle = 0.0;
-};
-
-/// One method on one mesh, in memory that it has used before.
-class Run
-{
-public:
-  Run(const SEDGeometry& theGeometry, SilhouetteMethod method, shadow::ParallelFor parallelFor = {})
-      : geometry(theGeometry), finder(makeSilhouetteFinder(method, 0.0, std::move(parallelFor)))
-  {
-  }
-
-  double measureOnce(const glm::dvec4& lightMC)
-  {
-    this->milliseconds.push_back(measure([&] { this->find(lightMC); }));
-    return this->milliseconds.back();
-  }
-
-  void find(const glm::dvec4& lightMC)
-  {
-    this->finder->face(this->geometry, lightMC, this->facing);
-    const auto edges =
-        this->finder->find(this->geometry, this->facing, chooseCasting(this->geometry, lightMC));
-    this->edgeCount = edges.size();
-    benchmark::DoNotOptimize(edges.data());
-  }
-
-  double getMedian() const { return median(this->milliseconds); }
-  std::size_t countEdges() const { return this->edgeCount; }
-
-private:
-  const SEDGeometry& geometry;
-  std::unique_ptr<shadow::SilhouetteFinder> finder;
-  shadow::LightFacing facing;
-  std::vector<double> milliseconds;
-  std::size_t edgeCount = 0;
-};
 
 /// Bytes that brute force must read and write for one light.
 std::size_t countBytes(const SEDGeometry& geometry)
@@ -123,69 +72,6 @@ std::size_t countBytes(const SEDGeometry& geometry)
   return words * sizeof(shadow::PlaneBlock) + 24 * words + 2 * edges.countInner() + 5 * edges.countOuter() +
          4 * edges.borders.size() + 8 * words;
 }
-
-/// Copies as much memory as brings the bytes read and written to a given number.
-class MemoryCopy
-{
-public:
-  explicit MemoryCopy(std::size_t bytes) : from(bytes / 2, 1), to(bytes / 2, 2) {}
-
-  void measureOnce()
-  {
-    this->milliseconds.push_back(
-        measure([&] { std::memcpy(this->to.data(), this->from.data(), this->from.size()); }));
-    benchmark::DoNotOptimize(this->to.data());
-  }
-
-  double getMedian() const { return median(this->milliseconds); }
-  double getBytesPerSecond() const
-  {
-    return 2e3 * static_cast<double>(this->from.size()) / this->getMedian();
-  }
-
-private:
-  std::vector<char> from;
-  std::vector<char> to;
-  std::vector<double> milliseconds;
-};
-
-/// vtkPolyDataSilhouette, prepared: it has seen its input.
-class VtkSilhouette
-{
-public:
-  explicit VtkSilhouette(const TriangleSoup& soup)
-  {
-    vtkNew<vtkPoints> points;
-    for (const glm::dvec3& point : soup.points)
-    {
-      points->InsertNextPoint(&point.x);
-    }
-    vtkNew<vtkCellArray> triangles;
-    for (const auto& corners : soup.triangles)
-    {
-      triangles->InsertNextCell({corners[0], corners[1], corners[2]});
-    }
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(triangles);
-    this->filter->SetInputData(mesh);
-    this->filter->SetDirectionToSpecifiedOrigin();
-    this->filter->SetEnableFeatureAngle(0);
-    this->filter->Update();
-  }
-
-  void measureOnce(const glm::dvec3& lightWC)
-  {
-    this->filter->SetOrigin(lightWC.x, lightWC.y, lightWC.z);
-    this->milliseconds.push_back(measure([&] { this->filter->Update(); }));
-  }
-
-  double getMedian() const { return median(this->milliseconds); }
-
-private:
-  vtkNew<vtkPolyDataSilhouette> filter;
-  std::vector<double> milliseconds;
-};
 
 void setRates(benchmark::State& state, std::size_t triangles, std::size_t bytes)
 {
@@ -198,8 +84,10 @@ void setRates(benchmark::State& state, std::size_t triangles, std::size_t bytes)
 
 /// Brute force, alone and with VTK's threads, and Auto beside VTK and beside a memory copy; time is that of
 /// brute force alone.
-void againstVtk(benchmark::State& state, const TriangleSoup& soup)
+void againstVtk(benchmark::State& state, MakeMesh makeMesh)
 {
+  constexpr std::int64_t acrossMillion = 500;
+  const TriangleSoup soup = makeMesh(acrossMillion);
   const SEDGeometry geometry = shadow::test::build(soup);
   const std::size_t bytes = countBytes(geometry);
   VtkSilhouette vtk(soup);
@@ -275,14 +163,18 @@ void growth(benchmark::State& state, MakeMesh makeMesh, bool directional)
   }
   for (auto _ : state)
   {
-    double sum = 0.0;
     for (std::size_t size = 0; size < sizes.size(); ++size)
     {
       bruteForce[size].measureOnce(lights[size].move());
-      sum = 0.0;
-      for (int turn = 0; turn < 10; ++turn)
+    }
+    // Sizes take turns as well: a new light in a program finds in the fast caches what other work left there.
+    double sum = 0.0;
+    for (int turn = 0; turn < 10; ++turn)
+    {
+      for (std::size_t size = 0; size < sizes.size(); ++size)
       {
-        sum += hierarchical[size].measureOnce(lights[size].move());
+        const double milliseconds = hierarchical[size].measureOnce(lights[size].move());
+        sum += size + 1 == sizes.size() ? milliseconds : 0.0;
       }
     }
     state.SetIterationTime(1e-4 * sum);
@@ -319,27 +211,6 @@ void newLight(benchmark::State& state, MakeMesh makeMesh, SilhouetteMethod metho
   state.counters["edges"] = static_cast<double>(run.countEdges());
 }
 
-/// The bunny where it is found, else a torus of the same size.
-TriangleSoup makeBunny()
-{
-  const std::string file = std::string(MODEL_FOLDER) + "/stanford-bunny.obj";
-  if (!std::filesystem::exists(file))
-  {
-    return makeTorus(132);
-  }
-  return shadow::test::readMeshFile(file);
-}
-
-void againstVtkOnBunny(benchmark::State& state)
-{
-  againstVtk(state, makeBunny());
-}
-
-void againstVtkOnMillion(benchmark::State& state)
-{
-  againstVtk(state, makeTorus(500));
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -350,12 +221,12 @@ int main(int argc, char** argv)
     return benchmark::RegisterBenchmark(("Silhouette/" + name).c_str(), function, arguments...)
         ->Unit(benchmark::kMillisecond);
   };
-  add("bunny/againstVtk", againstVtkOnBunny)->UseManualTime()->Iterations(21);
-  add("torus-1000000/againstVtk", againstVtkOnMillion)->UseManualTime()->Iterations(11);
+  add("bunny/againstVtk", againstVtk, makeBunny)->UseManualTime()->Iterations(21);
   const std::vector<std::pair<std::string, MakeMesh>> meshes = {{"torus", makeTorus},
                                                                 {"dented", makeDentedTorus}};
   for (const auto& [name, makeMesh] : meshes)
   {
+    add(name + "/againstVtk", againstVtk, makeMesh)->UseManualTime()->Iterations(11);
     add(name + "/growth/point", growth, makeMesh, false)->UseManualTime()->Iterations(31);
     add(name + "/growth/direction", growth, makeMesh, true)->UseManualTime()->Iterations(31);
     for (const SilhouetteMethod method : shadow::getSilhouetteMethods())

@@ -244,8 +244,8 @@ TEST(Adjacency, Memory_StaysBelowItsBounds)
     const auto geometry = buildSEDGeometry(std::move(soup), SEDGeometryOptions(), error);
     ASSERT_TRUE(geometry.has_value());
     EXPECT_LT(static_cast<double>(AllocationCounter::getPeak() - before) / triangles, 250.0);
-    EXPECT_LT(static_cast<double>(AllocationCounter::getCurrent() - before) / triangles, 90.0);
-    EXPECT_LT(static_cast<double>(geometry->getMemorySize()) / triangles, 85.0);
+    EXPECT_LT(static_cast<double>(AllocationCounter::getCurrent() - before) / triangles, 55.0);
+    EXPECT_LT(static_cast<double>(geometry->getMemorySize()) / triangles, 45.0);
   }
 }
 
