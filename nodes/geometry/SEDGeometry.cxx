@@ -35,9 +35,9 @@ TrianglePlane SEDGeometry::getPlane(std::size_t triangle) const
 
 std::size_t SEDGeometry::getMemorySize() const
 {
-  return bytesOf(this->positions) + bytesOf(this->triangles) + bytesOf(this->reversed.getWords()) +
-         bytesOf(this->inputReversed.getWords()) + bytesOf(this->planeBlocks) +
-         this->edgeTable.getMemorySize() + this->clusterTree.getMemorySize() +
+  return bytesOf(this->positions) + bytesOf(this->triangles) + bytesOf(this->inputOrder) +
+         bytesOf(this->reversed.getWords()) + bytesOf(this->inputReversed.getWords()) +
+         bytesOf(this->planeBlocks) + this->edgeTable.getMemorySize() + this->clusterTree.getMemorySize() +
          this->prepared->getMemorySize();
 }
 

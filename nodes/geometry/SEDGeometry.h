@@ -35,12 +35,18 @@ struct TrianglePlane
   double offset;
 };
 
+class SEDGeometry;
+
 /// How buildSEDGeometry() treats its input.
 struct SEDGeometryOptions
 {
   /// Points closer than this (model units) become one vertex. 0 welds points whose float32 coordinates
   /// relative to the origin are equal.
   double weldTolerance = 0.0;
+
+  /// The same mesh before it deformed, or any other: where it has the same triangles their order is taken
+  /// over, so that what was made for it elsewhere fits but for positions. Needed during the call only.
+  const SEDGeometry* previous = nullptr;
 };
 
 /// What was found, dropped and split while the adjacency was built.
@@ -62,7 +68,7 @@ struct SEDGeometryReport
 /// edge has one or two triangles and sums over triangles stay what they were. Triangles that lie together
 /// stand together: the 64 of a word of FacingBits are a cluster.
 ///
-/// @par Memory  about 39 bytes a triangle
+/// @par Memory  about 43 bytes a triangle
 /// @par Source  Shi 2006, chapter 4.2.2
 class SEDGeometry
 {
@@ -76,6 +82,9 @@ public:
   /// Three vertices a triangle in raster order: sorted by position (x, then y, then z), so that triangles
   /// with equal corners are rasterised with bit-for-bit equal depth whatever their input order was.
   const std::vector<std::array<std::uint32_t, 3>>& getTriangles() const { return this->triangles; }
+
+  /// For each triangle its place among those of the input, without the degenerate ones.
+  const std::vector<std::uint32_t>& getInputOrder() const { return this->inputOrder; }
 
   /// Bit t set: the oriented triangle t runs against its raster order.
   const FacingBits& getReversed() const { return this->reversed; }
@@ -138,6 +147,7 @@ private:
   glm::dvec3 origin{0.0};
   std::vector<glm::vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> inputOrder;
   FacingBits reversed;
   FacingBits inputReversed;
   std::vector<PlaneBlock> planeBlocks;

@@ -42,7 +42,7 @@ std::optional<SEDGeometry> SEDGeometryBuilder::build(TriangleSoup soup, std::str
   {
     return std::nullopt;
   }
-  sortIntoPatches(this->geometry.triangles, this->geometry.positions);
+  this->orderTriangles();
   this->flipped.assign(this->geometry.triangles.size(), 0);
   this->connect();
   orientOutwards(this->geometry.triangles, this->edges, this->geometry.positions, this->flipped);
@@ -145,6 +145,43 @@ bool SEDGeometryBuilder::weldCorners(TriangleSoup& soup, std::string& error)
   {
     error = "every triangle of the mesh is degenerate";
     return false;
+  }
+  return true;
+}
+
+void SEDGeometryBuilder::orderTriangles()
+{
+  std::vector<std::array<std::uint32_t, 3>>& triangles = this->geometry.triangles;
+  if (this->options.previous != nullptr && this->hasTrianglesOf(*this->options.previous))
+  {
+    this->geometry.inputOrder = this->options.previous->inputOrder;
+    putInOrder(triangles, this->geometry.inputOrder);
+    return;
+  }
+  this->geometry.inputOrder = sortIntoPatches(triangles, this->geometry.positions);
+}
+
+/// Do the triangles, in the other mesh's order, have its corners, but for vertices that it has split?
+bool SEDGeometryBuilder::hasTrianglesOf(const SEDGeometry& other) const
+{
+  const std::size_t welded = this->geometry.positions.size();
+  if (other.triangles.size() != this->geometry.triangles.size() ||
+      other.positions.size() - other.report.splitVertices != welded)
+  {
+    return false;
+  }
+  for (std::size_t place = 0; place < other.triangles.size(); ++place)
+  {
+    const std::array<std::uint32_t, 3>& corners = this->geometry.triangles[other.inputOrder[place]];
+    const std::array<std::uint32_t, 3>& wanted = other.triangles[place];
+    if (!std::all_of(wanted.begin(), wanted.end(),
+                     [&](std::uint32_t vertex) {
+                       return vertex >= welded ||
+                              std::find(corners.begin(), corners.end(), vertex) != corners.end();
+                     }))
+    {
+      return false;
+    }
   }
   return true;
 }

@@ -28,6 +28,7 @@ private:
   bool findUsedPoints(const TriangleSoup& soup, std::string& error);
   bool chooseOrigin(const TriangleSoup& soup, std::string& error);
   bool weldCorners(TriangleSoup& soup, std::string& error);
+  void orderTriangles();
   void connect();
   bool connectManifold();
   void connectSplit();
@@ -37,6 +38,7 @@ private:
   void findCommonPlane();
   /// @}
 
+  bool hasTrianglesOf(const SEDGeometry& other) const;
   void finishTriangle(std::uint32_t triangle);
 
   SEDGeometryOptions options;

@@ -57,8 +57,8 @@ void sortRange(Item* first, Item* last)
 
 } // namespace
 
-void sortIntoPatches(std::vector<std::array<std::uint32_t, 3>>& triangles,
-                     const std::vector<glm::vec3>& positions)
+std::vector<std::uint32_t> sortIntoPatches(std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                           const std::vector<glm::vec3>& positions)
 {
   std::vector<Item> items;
   items.reserve(triangles.size());
@@ -70,11 +70,23 @@ void sortIntoPatches(std::vector<std::array<std::uint32_t, 3>>& triangles,
          static_cast<std::uint32_t>(items.size())});
   }
   sortRange(items.data(), items.data() + items.size());
-  std::vector<std::array<std::uint32_t, 3>> ordered;
-  ordered.reserve(items.size());
+  std::vector<std::uint32_t> order;
+  order.reserve(items.size());
   for (const Item& item : items)
   {
-    ordered.push_back(triangles[item.triangle]);
+    order.push_back(item.triangle);
+  }
+  putInOrder(triangles, order);
+  return order;
+}
+
+void putInOrder(std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<std::uint32_t>& order)
+{
+  std::vector<std::array<std::uint32_t, 3>> ordered;
+  ordered.reserve(order.size());
+  for (const std::uint32_t triangle : order)
+  {
+    ordered.push_back(triangles[triangle]);
   }
   triangles.swap(ordered);
 }

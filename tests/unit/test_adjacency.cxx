@@ -141,12 +141,12 @@ TEST(Adjacency, Tolerance_ClosesGapsBelowItAndOnlyThose)
     point += randomPoint(random, 2e-5);
   }
   EXPECT_FALSE(build(soup).isClosed());
-  const SEDGeometry welded = build(soup, 1e-3);
+  const SEDGeometry welded = build(soup, {1e-3});
   EXPECT_TRUE(welded.isClosed());
   EXPECT_EQ(welded.getPositions().size(), makeSphere(1.0, 16, 10).points.size());
   EXPECT_EQ(welded.getReport().degenerateTriangles, 0u);
-  EXPECT_FALSE(build(soup, 1e-9).isClosed());
-  EXPECT_TRUE(build(makeCube(), std::numeric_limits<double>::denorm_min()).isClosed());
+  EXPECT_FALSE(build(soup, {1e-9}).isClosed());
+  EXPECT_TRUE(build(makeCube(), {std::numeric_limits<double>::denorm_min()}).isClosed());
 }
 
 TEST(Adjacency, Degenerate_TrianglesAreDroppedButCollinearOnesStay)
