@@ -28,11 +28,13 @@ struct Method
 const std::vector<Method>& silhouetteMethods()
 {
   static const std::vector<Method> methods = {
+      {"auto", "brute-force for small meshes, hierarchical for large ones"},
       {"brute-force", "facing of every triangle, then every edge, on the CPU"},
       {"edge-buffer", "triangles flip bits at their edges"},
       {"triangular", "TA: a set of directed edges in which opposite ones cancel"},
       {"visible-nonvisible", "VnV: edges with one neighbour that faces the light"},
       {"hybrid", "HSD: TA on polygons merged from coplanar triangles"},
+      {"hierarchical", "only clusters of triangles that do not face the light as one, on the CPU"},
       {"facing-texture", "facing drawn into a texture by the GPU and read back"},
       {"facing-texture-resident", "the same without reading it back"},
       {"vertex-texture", "the state of every edge drawn into a texture by the GPU"},
@@ -78,7 +80,7 @@ void declare(CLI::App& app, RenderOptions& options, Texts& texts)
       ->default_str("auto");
   app.add_option("--silhouette", texts.silhouette, describeSilhouetteMethods())
       ->type_name("METHOD")
-      ->default_str("brute-force");
+      ->default_str("auto");
   app.add_option("--compositing", texts.compositing, "how light and shadow are put together")
       ->type_name("mask|additive")
       ->default_str("mask");

@@ -61,6 +61,21 @@ std::string statusName(int status)
   }
 }
 
+// Casters for each silhouette method that was used.
+Json describeMethods(vtkShadowVolumePass* pass)
+{
+  Json result = Json::object();
+  for (std::size_t method = 0; method < silhouetteNames().size(); ++method)
+  {
+    const int casters = pass->GetNumberOfCastersFoundBy(static_cast<int>(method));
+    if (casters > 0)
+    {
+      result[silhouetteNames()[method]] = casters;
+    }
+  }
+  return result;
+}
+
 // A caster is reported as "name: reason"; the name may hold a colon itself, the reason does not.
 Json describeSkipped(vtkShadowVolumePass* pass)
 {
@@ -144,6 +159,7 @@ Json describeRendering(vtkShadowVolumePass* pass, double frameMilliseconds)
   result["casters"] = {{"drawn", pass->GetNumberOfCasters()},
                        {"zfail", pass->GetNumberOfZFailCasters()},
                        {"rebuilt", pass->GetNumberOfRebuiltVolumes()},
+                       {"foundBy", describeMethods(pass)},
                        {"skipped", describeSkipped(pass)}};
   result["memoryBytes"] = pass->GetMemorySize();
   result["milliseconds"] = {

@@ -69,6 +69,10 @@ void SEDVisitor::apply(SEDGeode& geode)
     const bool upToDate = state.extruded && state.finderId == this->finder.getId() &&
                           state.extrudedPlan.hasFacesOf(state.plan) &&
                           state.extrudedCountable == this->countable;
+    if (wanted)
+    {
+      ++this->usedMethods[this->finder.getMethod(geode.getGeometry())];
+    }
     if (wanted && !upToDate)
     {
       this->refreshVolume(geode.getGeometry(), state);
@@ -106,7 +110,7 @@ void SEDVisitor::face(SEDGeode& geode, PathState& path)
     if (!state.faced || state.lightMC != *lightMC)
     {
       state.lightMC = *lightMC;
-      state.facing = computeFacing(geometry, *lightMC);
+      this->finder.face(geometry, *lightMC, state.facing);
       state.faced = true;
       state.extruded = false;
       facingChanged = true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "Light.h"
@@ -40,6 +41,9 @@ public:
 
   int getRebuiltVolumes() const { return this->rebuiltVolumes; }
 
+  /// How many of the volumes to be drawn, kept ones included, each method has found.
+  const std::map<SilhouetteMethod, int>& getUsedMethods() const { return this->usedMethods; }
+
 private:
   void face(SEDGeode& geode, PathState& path);
   void refreshVolume(const SEDGeometry& geometry, PathLightState& state);
@@ -49,6 +53,7 @@ private:
   const SilhouetteFinder& finder;
   std::size_t countable;
   int rebuiltVolumes = 0;
+  std::map<SilhouetteMethod, int> usedMethods;
 };
 
 } // namespace shadow

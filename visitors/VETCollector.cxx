@@ -52,9 +52,9 @@ Corners cornersOf(const VETRange& range, std::size_t triangle)
   return corners;
 }
 
-Edge edgeOf(const VETRange& range, std::size_t place)
+/// An edge of the geometry as one of the collection.
+Edge placeEdge(const VETRange& range, Edge edge)
 {
-  Edge edge = range.geometry->getEdges()[place];
   for (std::uint32_t& vertex : edge.vertices)
   {
     vertex += range.firstVertex;
@@ -75,10 +75,11 @@ Edge edgeOf(const VETRange& range, std::size_t place)
 bool isCollected(const VETCollection& collection, const VETRange& range)
 {
   const SEDGeometry& geometry = *range.geometry;
-  for (std::size_t place = 0; place < geometry.getEdges().size(); ++place)
+  std::size_t edgePlace = range.firstEdge;
+  for (const Edge& modelEdge : geometry.getEdges())
   {
-    const Edge edge = edgeOf(range, place);
-    const Edge& collected = collection.edges[range.firstEdge + place];
+    const Edge edge = placeEdge(range, modelEdge);
+    const Edge& collected = collection.edges[edgePlace++];
     if (edge.vertices != collected.vertices || edge.triangles != collected.triangles)
     {
       return false;
@@ -217,9 +218,9 @@ VETCollector::Change VETCollector::gatherEverything()
   this->collection.topologyRevision = nextRevision();
   for (VETRange& range : this->collection.ranges)
   {
-    for (std::size_t place = 0; place < range.countEdges(); ++place)
+    for (const Edge& edge : range.geometry->getEdges())
     {
-      this->collection.edges.push_back(edgeOf(range, place));
+      this->collection.edges.push_back(placeEdge(range, edge));
     }
     gatherCorners(this->collection, range);
     gatherPositions(this->collection, range);

@@ -56,40 +56,6 @@ PrePassMesh giveTrianglesTheirOwnVertex(const SEDGeometry& geometry)
   return mesh;
 }
 
-/// Spreads ten bits so that two empty ones follow each.
-std::uint32_t spreadBits(std::uint32_t bits)
-{
-  bits = (bits | (bits << 16)) & 0x030000ffu;
-  bits = (bits | (bits << 8)) & 0x0300f00fu;
-  bits = (bits | (bits << 4)) & 0x030c30c3u;
-  return (bits | (bits << 2)) & 0x09249249u;
-}
-
-/// Puts triangles that lie together next to each other, along a Z-order curve: a GL keeps the vertices it has
-/// just transformed, and meshes from scanners come in no order that would let it use them again.
-void sortAlongCurve(const SEDGeometry& geometry, PrePassMesh& mesh)
-{
-  const glm::dvec3 extent = geometry.getUpperBound() - geometry.getLowerBound();
-  const double widest = std::max({extent.x, extent.y, extent.z});
-  const glm::vec3 lower(geometry.getLowerBound());
-  const auto scale = static_cast<float>(widest > 0.0 ? 1023.0 / widest : 0.0);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> order; // place on the curve, triangle
-  order.reserve(mesh.triangles.size());
-  for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
-  {
-    const glm::uvec3 cell(glm::clamp((mesh.positions[triangle] - lower) * scale, 0.0f, 1023.0f));
-    order.emplace_back(spreadBits(cell.x) | (spreadBits(cell.y) << 1) | (spreadBits(cell.z) << 2), triangle);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<std::array<std::uint32_t, 3>> sorted;
-  sorted.reserve(order.size());
-  for (const auto& entry : order)
-  {
-    sorted.push_back(mesh.triangles[entry.second]);
-  }
-  mesh.triangles = std::move(sorted);
-}
-
 template <class Element>
 std::size_t uploadBuffer(GLenum target, unsigned int buffer, const std::vector<Element>& elements,
                          GLenum usage)
@@ -128,8 +94,7 @@ void ReachableBitsBuffer::release(bool contextLost)
 SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& sedGeometry)
     : geometry(sedGeometry), triangles(sedGeometry.getTriangles().size())
 {
-  PrePassMesh mesh = giveTrianglesTheirOwnVertex(sedGeometry);
-  sortAlongCurve(sedGeometry, mesh);
+  const PrePassMesh mesh = giveTrianglesTheirOwnVertex(sedGeometry);
   this->vertices = mesh.positions.size();
   glGenVertexArrays(1, &this->vertexArray);
   glBindVertexArray(this->vertexArray);

@@ -12,6 +12,7 @@
 #include "SVStateVisitor.h"
 #include "SceneBoundsVisitor.h"
 #include "ShadowPrograms.h"
+#include "SmpParallelFor.h"
 #include "Stopwatch.h"
 
 namespace shadow
@@ -105,7 +106,8 @@ void ShadowVolumeEffect::chooseFinder(const Settings& settings)
   if (this->finder == nullptr || this->finderMethod != settings.silhouetteMethod ||
       this->finderTolerance != settings.coplanarTolerance)
   {
-    this->finder = makeSilhouetteFinder(settings.silhouetteMethod, settings.coplanarTolerance);
+    this->finder =
+        makeSilhouetteFinder(settings.silhouetteMethod, settings.coplanarTolerance, makeSmpParallelFor());
     this->finderMethod = settings.silhouetteMethod;
     this->finderTolerance = settings.coplanarTolerance;
   }
@@ -144,6 +146,7 @@ void ShadowVolumeEffect::extrude(const Frame& frame, const SilhouetteFinder& sil
                       mostCountableIn(this->countBuffer));
   this->accept(extruder);
   this->statistics.rebuiltVolumes = extruder.getRebuiltVolumes();
+  this->statistics.usedMethods = extruder.getUsedMethods();
 }
 
 // Blending is the faster on a software GL, where it needs no stencil beside the depth and draws what counts

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -39,7 +40,7 @@ public:
   struct Settings
   {
     StencilMethod stencilMethod = StencilMethod::Auto;
-    SilhouetteMethod silhouetteMethod = SilhouetteMethod::BruteForce;
+    SilhouetteMethod silhouetteMethod = SilhouetteMethod::Auto;
     CountBuffer countBuffer = CountBuffer::Auto;
     double coplanarTolerance = 0.0; ///< degrees, see makeSilhouetteFinder()
     int samples = 1;
@@ -55,6 +56,7 @@ public:
     int casters = 0;
     int zFailCasters = 0;
     int rebuiltVolumes = 0;
+    std::map<SilhouetteMethod, int> usedMethods; ///< casters that each method was used for
     std::set<CasterCuller::Skipped> skipped;
     double silhouetteMilliseconds = 0.0;
     double prePassMilliseconds = 0.0;
@@ -125,7 +127,7 @@ private:
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
 
   std::unique_ptr<SilhouetteFinder> finder; ///< kept while its settings are, and volumes with it
-  SilhouetteMethod finderMethod = SilhouetteMethod::BruteForce;
+  SilhouetteMethod finderMethod = SilhouetteMethod::Auto;
   double finderTolerance = 0.0;
   Capabilities capabilities;
   bool capabilitiesKnown = false;

@@ -117,10 +117,7 @@ bool ShadowVolumeGPUEffect::drawSurfaces(const Frame& frame, std::string& error)
 
 bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& error)
 {
-  if (this->readBack == nullptr)
-  {
-    return true;
-  }
+  Statistics& filled = this->changeStatistics();
   if (this->reading)
   {
     if (!this->readBack->fetch())
@@ -128,11 +125,15 @@ bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& err
       error = "the GL lost the facing texture while it was read back";
       return false;
     }
-    this->changeStatistics().readBackMilliseconds = this->readBack->getReadBackTimes().getSum();
+    filled.readBackMilliseconds = this->readBack->getReadBackTimes().getSum();
     ReadFacingVisitor read(*this->readBack, frame.lights);
     this->accept(read);
   }
-  this->extrude(frame, this->edgeClassifier);
+  if (this->readBack != nullptr)
+  {
+    this->extrude(frame, this->edgeClassifier);
+  }
+  filled.usedMethods = {{this->name, filled.casters}};
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace shadow
@@ -23,6 +24,22 @@ public:
   {
     this->count = size;
     this->words.assign((size + 63) / 64, 0);
+  }
+
+  /// Resizes to @p size triangles and leaves it to the caller to write every word.
+  void resize(std::size_t size)
+  {
+    this->count = size;
+    this->words.resize((size + 63) / 64);
+  }
+
+  /// Clears the bits of the last word that no triangle has.
+  void clearBeyondEnd()
+  {
+    if (this->count % 64 != 0)
+    {
+      this->words.back() &= (std::uint64_t{1} << this->count % 64) - 1;
+    }
   }
 
   bool test(std::size_t triangle) const { return (this->words[triangle >> 6] >> (triangle & 63)) & 1u; }
@@ -50,6 +67,10 @@ struct LightFacing
 {
   FacingBits towards; ///< the light is in front of the oriented triangle (its normal's side)
   FacingBits away;    ///< the light is behind the oriented triangle
+
+  /// Words that may have an edge on the silhouette, rising; no edge of another word (see EdgeTable) lies
+  /// between triangles that differ in their bits. Nothing: any word may. To be reset by whoever changes bits.
+  std::optional<std::vector<std::uint32_t>> mixedWords = std::nullopt;
 };
 
 } // namespace shadow

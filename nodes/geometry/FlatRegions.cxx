@@ -84,8 +84,10 @@ struct Grouping
 class RegionGrower
 {
 public:
-  RegionGrower(const SEDGeometry& theGeometry, const TriangleSides& theSides, double toleranceDegrees)
-      : geometry(theGeometry), sides(theSides), tolerance(toleranceDegrees * radiansPerDegree)
+  RegionGrower(const SEDGeometry& theGeometry, const std::vector<Edge>& theEdges,
+               const TriangleSides& theSides, double toleranceDegrees)
+      : geometry(theGeometry), edges(theEdges), sides(theSides),
+        tolerance(toleranceDegrees * radiansPerDegree)
   {
   }
 
@@ -117,7 +119,7 @@ private:
     {
       for (const std::uint32_t side : this->sides[grouping.members[next]])
       {
-        const std::uint32_t neighbour = getTriangleAcross(this->geometry, side);
+        const std::uint32_t neighbour = getTriangleAcross(this->edges, side);
         if (neighbour != noTriangle && grouping.regionOf[neighbour] == noTriangle &&
             this->isFlatWith(seed, grouping.members[next], neighbour))
         {
@@ -143,6 +145,7 @@ private:
   }
 
   const SEDGeometry& geometry;
+  const std::vector<Edge>& edges;
   const TriangleSides& sides;
   double tolerance; ///< radians
 };
@@ -192,8 +195,9 @@ std::size_t FlatRegions::getMemorySize() const
 
 FlatRegions findFlatRegions(const SEDGeometry& geometry, double toleranceDegrees)
 {
-  const TriangleSides sides(geometry);
-  const Grouping grouping = RegionGrower(geometry, sides, toleranceDegrees).run();
+  const std::vector<Edge> edges = geometry.getEdges().toVector();
+  const TriangleSides sides(edges, geometry.getTriangles().size());
+  const Grouping grouping = RegionGrower(geometry, edges, sides, toleranceDegrees).run();
   const auto regionCount = static_cast<std::uint32_t>(grouping.begins.size() - 1);
   FlatRegions regions;
   regions.alone.assign(sides.size());
@@ -209,8 +213,7 @@ FlatRegions findFlatRegions(const SEDGeometry& geometry, double toleranceDegrees
     return regions;
   }
 
-  PolygonMerger merger(geometry, sides);
-  const std::vector<Edge>& edges = geometry.getEdges();
+  PolygonMerger merger(edges, sides, geometry.getPositions().size());
   for (std::uint32_t edge = 0; edge < edges.size(); ++edge)
   {
     const auto& [first, second] = edges[edge].triangles;

@@ -6,18 +6,18 @@
 namespace shadow
 {
 
-PolygonMerger::PolygonMerger(const SEDGeometry& sedGeometry, const TriangleSides& sides)
-    : geometry(sedGeometry), valences(sides.size(), 3), mergedInto(sides.size())
+PolygonMerger::PolygonMerger(const std::vector<Edge>& meshEdges, const TriangleSides& sides,
+                             std::size_t vertices)
+    : edges(meshEdges), valences(sides.size(), 3), mergedInto(sides.size())
 {
   std::iota(this->mergedInto.begin(), this->mergedInto.end(), 0);
-  const std::vector<Edge>& edges = sedGeometry.getEdges();
-  this->mesh.reserve(sedGeometry.getPositions().size(), edges.size(), sides.size());
-  for (std::size_t vertex = 0; vertex < sedGeometry.getPositions().size(); ++vertex)
+  this->mesh.reserve(vertices, meshEdges.size(), sides.size());
+  for (std::size_t vertex = 0; vertex < vertices; ++vertex)
   {
     this->mesh.new_vertex();
   }
   // The adjacency is known: handed over as it is, it need not be found a second time, triangle by triangle.
-  for (const Edge& edge : edges)
+  for (const Edge& edge : meshEdges)
   {
     this->mesh.new_edge(OpenMesh::VertexHandle(static_cast<int>(edge.vertices[0])),
                         OpenMesh::VertexHandle(static_cast<int>(edge.vertices[1])));
@@ -86,7 +86,7 @@ std::vector<std::array<std::uint32_t, 2>> PolygonMerger::readBorder(std::uint32_
   {
     if (this->mesh.face_handle(this->mesh.opposite_halfedge_handle(halfedge)) != polygon)
     {
-      border.push_back(getSideVertices(this->geometry, static_cast<std::uint32_t>(halfedge.idx())));
+      border.push_back(getSideVertices(this->edges, static_cast<std::uint32_t>(halfedge.idx())));
     }
     halfedge = this->mesh.next_halfedge_handle(halfedge);
   } while (halfedge != first);

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 
-#include "SEDGeometry.h"
+#include "EdgeTable.h"
 #include "TriangleSides.h"
 
 namespace shadow
@@ -21,7 +22,8 @@ namespace shadow
 class PolygonMerger
 {
 public:
-  PolygonMerger(const SEDGeometry& sedGeometry, const TriangleSides& sides);
+  /// @param meshEdges  as they were handed to @p sides; kept by reference
+  PolygonMerger(const std::vector<Edge>& meshEdges, const TriangleSides& sides, std::size_t vertices);
 
   /// Makes one polygon of those on the two sides of an edge; nothing to do when they are one already.
   ///
@@ -36,7 +38,7 @@ public:
 private:
   OpenMesh::FaceHandle findPolygon(std::uint32_t triangle) const;
 
-  const SEDGeometry& geometry;
+  const std::vector<Edge>& edges;
   OpenMesh::PolyConnectivity mesh;
   std::vector<std::uint32_t> valences; ///< of each face
   std::vector<int> mergedInto;         ///< of each face: itself, or the one that it became part of

@@ -11,28 +11,20 @@
 
 #include <glm/glm.hpp>
 
+#include "ClusterTree.h"
+#include "EdgeTable.h"
 #include "FacingBits.h"
+#include "PlaneBlock.h"
 #include "PreparedData.h"
 
 namespace shadow
 {
-
-/// Stands where an edge has no second triangle.
-inline constexpr std::uint32_t noTriangle = std::numeric_limits<std::uint32_t>::max();
 
 /// Triangles as they come from a file or a pipeline: no adjacency, duplicates allowed.
 struct TriangleSoup
 {
   std::vector<glm::dvec3> points;                      ///< model space, any unit
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices into points
-};
-
-/// An edge and the triangles on its two sides.
-struct Edge
-{
-  std::array<std::uint32_t, 2> vertices;  ///< from, to
-  std::array<std::uint32_t, 2> triangles; ///< [0] runs through the edge as from -> to, [1] as to -> from;
-                                          ///< [1] is noTriangle on a border
 };
 
 /// Plane of an oriented triangle: dot(normal, p) + offset > 0 in front of it. Not normalised; model space
@@ -43,15 +35,7 @@ struct TrianglePlane
   double offset;
 };
 
-/// Bounds of the rounding errors of the planes of 64 consecutive triangles (one word of FacingBits).
-///
-/// For a light L, dot(normal, L.xyz) + offset * L.w, evaluated in double precision, is off by at most
-/// direction * (|L.x| + |L.y| + |L.z|) + position * |L.w|, so that its sign is known where it is larger.
-struct PlaneError
-{
-  double direction = 0.0;
-  double position = 0.0;
-};
+class SEDGeometry;
 
 /// How buildSEDGeometry() treats its input.
 struct SEDGeometryOptions
@@ -59,6 +43,10 @@ struct SEDGeometryOptions
   /// Points closer than this (model units) become one vertex. 0 welds points whose float32 coordinates
   /// relative to the origin are equal.
   double weldTolerance = 0.0;
+
+  /// The same mesh before it deformed, or any other: where it has the same triangles their order is taken
+  /// over, so that what was made for it elsewhere fits but for positions. Needed during the call only.
+  const SEDGeometry* previous = nullptr;
 };
 
 /// What was found, dropped and split while the adjacency was built.
@@ -77,9 +65,10 @@ struct SEDGeometryReport
 ///
 /// Vertices are welded; the triangles of each connected component are oriented alike, and outwards (positive
 /// signed volume) where the component is closed. Non-manifold edges are split into borders, so that every
-/// edge has one or two triangles and sums over triangles stay what they were.
+/// edge has one or two triangles and sums over triangles stay what they were. Triangles that lie together
+/// stand together: the 64 of a word of FacingBits are a cluster.
 ///
-/// @par Memory  about 80 bytes a triangle
+/// @par Memory  about 43 bytes a triangle
 /// @par Source  Shi 2006, chapter 4.2.2
 class SEDGeometry
 {
@@ -94,20 +83,44 @@ public:
   /// with equal corners are rasterised with bit-for-bit equal depth whatever their input order was.
   const std::vector<std::array<std::uint32_t, 3>>& getTriangles() const { return this->triangles; }
 
+  /// For each triangle its place among those of the input, without the degenerate ones.
+  const std::vector<std::uint32_t>& getInputOrder() const { return this->inputOrder; }
+
   /// Bit t set: the oriented triangle t runs against its raster order.
   const FacingBits& getReversed() const { return this->reversed; }
 
   /// Bit t set: triangle t ran against its raster order in the input, which is what face culling goes by.
   const FacingBits& getInputReversed() const { return this->inputReversed; }
 
-  /// Plane of each oriented triangle.
-  const std::vector<TrianglePlane>& getPlanes() const { return this->planes; }
+  /// The plane of an oriented triangle, computed from its corners.
+  TrianglePlane getPlane(std::size_t triangle) const;
 
-  /// One a word of FacingBits: entry t / 64 holds for triangle t.
-  const std::vector<PlaneError>& getPlaneErrors() const { return this->planeErrors; }
+  /// Planes in single precision, one block a word of FacingBits.
+  const std::vector<PlaneBlock>& getPlaneBlocks() const { return this->planeBlocks; }
 
-  /// Every edge once. A border edge runs as its triangle's oriented boundary does.
-  const std::vector<Edge>& getEdges() const { return this->edges; }
+  /// The power of two that PlaneBlock::offset is in units of; no vertex has |x| + |y| + |z| above it.
+  double getReach() const { return this->reach; }
+
+  /// Every edge once, made as they are asked for. A border edge runs as its triangle's oriented boundary
+  /// does.
+  EdgeList getEdges() const { return EdgeList(*this); }
+
+  /// The same edges as they are stored.
+  const EdgeTable& getEdgeTable() const { return this->edgeTable; }
+
+  /// Vertices of a side of a triangle, from and to as the oriented triangle runs through it.
+  ///
+  /// @param side  0, 1 or 2: between the corners side and (side + 1) % 3 in raster order
+  std::array<std::uint32_t, 2> getSide(std::size_t triangle, std::uint32_t side) const
+  {
+    const std::uint32_t next = side == 2 ? 0 : side + 1;
+    const bool backwards = this->reversed.test(triangle);
+    return {this->triangles[triangle][backwards ? next : side],
+            this->triangles[triangle][backwards ? side : next]};
+  }
+
+  /// What the words of FacingBits have in common.
+  const ClusterTree& getClusterTree() const { return this->clusterTree; }
 
   /// True when no edge is a border: the mesh then bounds a solid (of one or more components).
   bool isClosed() const { return this->report.borderEdges == 0 && !this->triangles.empty(); }
@@ -134,11 +147,13 @@ private:
   glm::dvec3 origin{0.0};
   std::vector<glm::vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> inputOrder;
   FacingBits reversed;
   FacingBits inputReversed;
-  std::vector<TrianglePlane> planes;
-  std::vector<PlaneError> planeErrors;
-  std::vector<Edge> edges;
+  std::vector<PlaneBlock> planeBlocks;
+  double reach = 1.0;
+  EdgeTable edgeTable;
+  ClusterTree clusterTree;
   glm::dvec3 lowerBound{std::numeric_limits<double>::max()};
   glm::dvec3 upperBound{std::numeric_limits<double>::lowest()};
   std::optional<glm::dvec4> commonPlane;

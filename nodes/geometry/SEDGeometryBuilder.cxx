@@ -9,6 +9,7 @@
 #include "GridOrigin.h"
 #include "ManifoldSplitter.h"
 #include "OutwardOrientation.h"
+#include "TriangleOrder.h"
 #include "VertexWelder.h"
 
 namespace shadow
@@ -41,13 +42,15 @@ std::optional<SEDGeometry> SEDGeometryBuilder::build(TriangleSoup soup, std::str
   {
     return std::nullopt;
   }
+  this->orderTriangles();
   this->flipped.assign(this->geometry.triangles.size(), 0);
   this->connect();
-  orientOutwards(this->geometry.triangles, this->geometry.edges, this->geometry.positions, this->flipped);
+  orientOutwards(this->geometry.triangles, this->edges, this->geometry.positions, this->flipped);
   this->geometry.report.flippedTriangles =
       static_cast<std::size_t>(std::count(this->flipped.begin(), this->flipped.end(), std::uint8_t{1}));
-  this->computePlanes();
   this->countEdgesAndBounds();
+  this->computePlanes();
+  this->makeClusters();
   this->findCommonPlane();
   return std::move(this->geometry);
 }
@@ -146,6 +149,43 @@ bool SEDGeometryBuilder::weldCorners(TriangleSoup& soup, std::string& error)
   return true;
 }
 
+void SEDGeometryBuilder::orderTriangles()
+{
+  std::vector<std::array<std::uint32_t, 3>>& triangles = this->geometry.triangles;
+  if (this->options.previous != nullptr && this->hasTrianglesOf(*this->options.previous))
+  {
+    this->geometry.inputOrder = this->options.previous->inputOrder;
+    putInOrder(triangles, this->geometry.inputOrder);
+    return;
+  }
+  this->geometry.inputOrder = sortIntoPatches(triangles, this->geometry.positions);
+}
+
+/// Do the triangles, in the other mesh's order, have its corners, but for vertices that it has split?
+bool SEDGeometryBuilder::hasTrianglesOf(const SEDGeometry& other) const
+{
+  const std::size_t welded = this->geometry.positions.size();
+  if (other.triangles.size() != this->geometry.triangles.size() ||
+      other.positions.size() - other.report.splitVertices != welded)
+  {
+    return false;
+  }
+  for (std::size_t place = 0; place < other.triangles.size(); ++place)
+  {
+    const std::array<std::uint32_t, 3>& corners = this->geometry.triangles[other.inputOrder[place]];
+    const std::array<std::uint32_t, 3>& wanted = other.triangles[place];
+    if (!std::all_of(wanted.begin(), wanted.end(),
+                     [&](std::uint32_t vertex) {
+                       return vertex >= welded ||
+                              std::find(corners.begin(), corners.end(), vertex) != corners.end();
+                     }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void SEDGeometryBuilder::connect()
 {
   // Most meshes are manifold already. The others are found out on the way and start again, cut and turned.
@@ -165,7 +205,7 @@ bool SEDGeometryBuilder::connectManifold()
       return false;
     }
   }
-  this->geometry.edges = connector.readEdges();
+  this->edges = connector.readEdges();
   return true;
 }
 
@@ -197,7 +237,7 @@ void SEDGeometryBuilder::connectSplit()
     }
     connector.add(triangle);
   }
-  this->geometry.edges = connector.readEdges();
+  this->edges = connector.readEdges();
 }
 
 std::optional<SEDGeometry> buildSEDGeometry(TriangleSoup soup, const SEDGeometryOptions& options,

@@ -28,18 +28,22 @@ private:
   bool findUsedPoints(const TriangleSoup& soup, std::string& error);
   bool chooseOrigin(const TriangleSoup& soup, std::string& error);
   bool weldCorners(TriangleSoup& soup, std::string& error);
+  void orderTriangles();
   void connect();
   bool connectManifold();
   void connectSplit();
-  void computePlanes();
   void countEdgesAndBounds();
+  void computePlanes();
+  void makeClusters();
   void findCommonPlane();
   /// @}
 
-  void finishTriangle(std::uint32_t triangle, double& planeScale, double& positionScale);
+  bool hasTrianglesOf(const SEDGeometry& other) const;
+  void finishTriangle(std::uint32_t triangle);
 
   SEDGeometryOptions options;
   SEDGeometry geometry;
+  std::vector<Edge> edges;
   std::vector<std::uint8_t> pointUsed; ///< one a point
   std::vector<std::uint8_t> flipped;   ///< one a triangle
 };

@@ -96,15 +96,17 @@ struct ShadowVolumeOptions
 /// @param lightMC  light position relative to the geometry's origin, in model units (w = 1), or the direction
 ///                 towards a directional light (w = 0)
 /// @pre            the light's coordinates are zero or of magnitude 1e-150 to 1e150
-/// @par Cost       O(triangles); reads 32 bytes a triangle
+/// @par Cost       O(triangles); reads 16 bytes a triangle
 /// @par Source     Shi 2006, chapter 3.1; Shewchuk 1997, see ExactOrientation.h
 LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 
+/// The same, in the memory that @p facing has.
+void computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing);
 /// Clears both bits of every triangle with a corner that single precision cannot tell from a point light.
 ///
 /// Such a corner has no direction to be extruded in, so its triangles must not cast: they count as having the
-/// light in their plane, which exactly they do, but for the light's rounding. Part of computeFacing(); to be
-/// called on facing that was computed in another way.
+/// light in their plane, which exactly they do, but for the light's rounding. computeFacing() leaves them so;
+/// this is for facing that was computed in another way.
 ///
 /// @param lightMC  as in computeFacing()
 /// @par Cost       none when the light is outside the bounding box, else O(vertices)

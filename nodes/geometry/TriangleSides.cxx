@@ -5,10 +5,9 @@
 namespace shadow
 {
 
-TriangleSides::TriangleSides(const SEDGeometry& geometry) : sides(geometry.getTriangles().size())
+TriangleSides::TriangleSides(const std::vector<Edge>& edges, std::size_t triangles) : sides(triangles)
 {
   std::vector<std::uint8_t> found(this->sides.size(), 0);
-  const std::vector<Edge>& edges = geometry.getEdges();
   for (std::uint32_t edge = 0; edge < edges.size(); ++edge)
   {
     for (const std::uint32_t direction : {0u, 1u})
@@ -22,7 +21,7 @@ TriangleSides::TriangleSides(const SEDGeometry& geometry) : sides(geometry.getTr
   }
   for (std::array<std::uint32_t, 3>& triangle : this->sides)
   {
-    if (getSideVertices(geometry, triangle[0])[1] != getSideVertices(geometry, triangle[1])[0])
+    if (getSideVertices(edges, triangle[0])[1] != getSideVertices(edges, triangle[1])[0])
     {
       std::swap(triangle[1], triangle[2]);
     }

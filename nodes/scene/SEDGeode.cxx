@@ -50,6 +50,7 @@ std::size_t SEDGeode::getMemorySize() const
     {
       (void)index;
       bytes += 8 * (light.facing.towards.getWords().capacity() + light.facing.away.getWords().capacity());
+      bytes += light.facing.mixedWords ? 4 * light.facing.mixedWords->capacity() : 0;
       for (const ShadowVolume& volume : light.volumes)
       {
         bytes += volume.getTriangleCount() * sizeof(ShadowVolume::Triangle);

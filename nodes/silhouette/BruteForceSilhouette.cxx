@@ -1,6 +1,10 @@
 #include "BruteForceSilhouette.h"
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
+
+#include "EdgeScan.h"
+#include "FacingDecider.h"
 
 namespace shadow
 {
@@ -8,58 +12,67 @@ namespace shadow
 namespace
 {
 
-/// 1 when the triangle casts as it is oriented, -1 when it casts turned over, 0 when it does not cast.
-int getSign(const LightFacing& facing, std::uint32_t triangle)
-{
-  return static_cast<int>(facing.towards.test(triangle)) - static_cast<int>(facing.away.test(triangle));
-}
+/// Words of FacingBits that one thread takes at a time: some ten microseconds.
+constexpr std::size_t wordsAPart = 1024;
 
-std::vector<SilhouetteEdge> findLightFacing(const SEDGeometry& geometry, const LightFacing& facing)
+std::size_t countParts(std::size_t words)
 {
-  std::vector<SilhouetteEdge> silhouette;
-  for (const Edge& edge : geometry.getEdges())
-  {
-    const bool first = facing.towards.test(edge.triangles[0]);
-    const bool second = edge.triangles[1] != noTriangle && facing.towards.test(edge.triangles[1]);
-    if (first && !second)
-    {
-      silhouette.push_back({edge.vertices[0], edge.vertices[1], 1});
-    }
-    else if (second && !first)
-    {
-      silhouette.push_back({edge.vertices[1], edge.vertices[0], 1});
-    }
-  }
-  return silhouette;
-}
-
-/// Sums over the triangles of an edge how they run through it, each turned to the light.
-std::vector<SilhouetteEdge> findEveryTriangle(const SEDGeometry& geometry, const LightFacing& facing)
-{
-  std::vector<SilhouetteEdge> silhouette;
-  for (const Edge& edge : geometry.getEdges())
-  {
-    const int first = getSign(facing, edge.triangles[0]);
-    const int sum = edge.triangles[1] == noTriangle ? first : first - getSign(facing, edge.triangles[1]);
-    if (sum > 0)
-    {
-      silhouette.push_back({edge.vertices[0], edge.vertices[1], static_cast<std::uint32_t>(sum)});
-    }
-    else if (sum < 0)
-    {
-      silhouette.push_back({edge.vertices[1], edge.vertices[0], static_cast<std::uint32_t>(-sum)});
-    }
-  }
-  return silhouette;
+  return (words + wordsAPart - 1) / wordsAPart;
 }
 
 } // namespace
 
+bool BruteForceSilhouette::isParallel(const SEDGeometry& geometry) const
+{
+  return this->parallelFor && geometry.getPlaneBlocks().size() >= 4 * wordsAPart;
+}
+
+void BruteForceSilhouette::face(const SEDGeometry& geometry, const glm::dvec4& lightMC,
+                                LightFacing& facing) const
+{
+  const FacingDecider decider(geometry, lightMC);
+  if (!this->isParallel(geometry) || !decider.isLit())
+  {
+    computeFacing(geometry, lightMC, facing);
+    return;
+  }
+  facing.mixedWords.reset();
+  facing.towards.resize(geometry.getTriangles().size());
+  facing.away.resize(geometry.getTriangles().size());
+  const std::size_t words = geometry.getPlaneBlocks().size();
+  this->parallelFor(countParts(words), [&](std::size_t begin, std::size_t end)
+                    { decider.decide(wordsAPart * begin, std::min(wordsAPart * end, words), facing); });
+}
+
 std::vector<SilhouetteEdge> BruteForceSilhouette::find(const SEDGeometry& geometry, const LightFacing& facing,
                                                        Casting casting) const
 {
-  return casting == Casting::LightFacing ? findLightFacing(geometry, facing)
-                                         : findEveryTriangle(geometry, facing);
+  const EdgeScan scan(geometry, facing, casting);
+  const std::size_t words = geometry.getPlaneBlocks().size();
+  std::vector<SilhouetteEdge> silhouette;
+  if (!this->isParallel(geometry))
+  {
+    scan.addWords(0, words, silhouette);
+  }
+  else
+  {
+    std::vector<std::vector<SilhouetteEdge>> parts(countParts(words));
+    this->parallelFor(parts.size(),
+                      [&](std::size_t begin, std::size_t end)
+                      {
+                        for (std::size_t part = begin; part < end; ++part)
+                        {
+                          scan.addWords(wordsAPart * part, std::min(wordsAPart * (part + 1), words),
+                                        parts[part]);
+                        }
+                      });
+    for (const std::vector<SilhouetteEdge>& part : parts)
+    {
+      silhouette.insert(silhouette.end(), part.begin(), part.end());
+    }
+  }
+  scan.addBorders(silhouette);
+  return silhouette;
 }
 
 } // namespace shadow

@@ -39,8 +39,9 @@ std::array<int, 16> makeRuns()
 
 std::vector<std::uint8_t> fillBuffer(const SEDGeometry& geometry, const LightFacing& facing, Casting casting)
 {
-  const auto sides =
-      geometry.getPreparedData().get<TriangleSides>(0.0, [&geometry] { return TriangleSides(geometry); });
+  const auto sides = geometry.getPreparedData().get<TriangleSides>(
+      0.0,
+      [&geometry] { return TriangleSides(geometry.getEdges().toVector(), geometry.getTriangles().size()); });
   std::vector<std::uint8_t> buffer(geometry.getEdges().size(), 0);
   const auto flip = [&buffer, &sides](std::uint32_t triangle, unsigned bit)
   {
@@ -64,7 +65,7 @@ std::vector<SilhouetteEdge> EdgeBufferSilhouette::find(const SEDGeometry& geomet
 {
   static const std::array<int, 16> runsOf = makeRuns();
   const std::vector<std::uint8_t> buffer = fillBuffer(geometry, facing, casting);
-  const std::vector<Edge>& edges = geometry.getEdges();
+  const EdgeList edges = geometry.getEdges();
   std::vector<SilhouetteEdge> silhouette;
   for (std::size_t edge = 0; edge < buffer.size(); ++edge)
   {
@@ -72,7 +73,7 @@ std::vector<SilhouetteEdge> EdgeBufferSilhouette::find(const SEDGeometry& geomet
     {
       continue;
     }
-    const std::array<std::uint32_t, 2>& vertices = edges[edge].vertices;
+    const std::array<std::uint32_t, 2> vertices = edges[edge].vertices;
     const int runs = runsOf[buffer[edge]];
     if (runs > 0)
     {

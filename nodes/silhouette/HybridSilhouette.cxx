@@ -112,6 +112,7 @@ std::optional<LightFacing> HybridSilhouette::simplifyFacing(const SEDGeometry& g
   }
   const std::shared_ptr<const FlatRegions> regions = prepareRegions(geometry, this->tolerance);
   LightFacing simplified = facing;
+  simplified.mixedWords.reset();
   for (const FlatPolygon& polygon : regions->polygons)
   {
     const bool towards = facing.towards.test(polygon.representative);

@@ -2,9 +2,12 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <utility>
 
+#include "AutoSilhouette.h"
 #include "BruteForceSilhouette.h"
 #include "EdgeBufferSilhouette.h"
+#include "HierarchicalSilhouette.h"
 #include "HybridSilhouette.h"
 #include "TriangularSilhouette.h"
 #include "VisibleNonVisibleSilhouette.h"
@@ -21,6 +24,30 @@ std::uint64_t nextId()
   return ++last;
 }
 
+std::unique_ptr<SilhouetteFinder> construct(SilhouetteMethod method, double coplanarTolerance,
+                                            ParallelFor parallelFor)
+{
+  switch (method)
+  {
+  case SilhouetteMethod::Auto:
+    return std::make_unique<AutoSilhouette>();
+  case SilhouetteMethod::BruteForce:
+    return std::make_unique<BruteForceSilhouette>(std::move(parallelFor));
+  case SilhouetteMethod::EdgeBuffer:
+    return std::make_unique<EdgeBufferSilhouette>();
+  case SilhouetteMethod::Triangular:
+    return std::make_unique<TriangularSilhouette>();
+  case SilhouetteMethod::VisibleNonVisible:
+    return std::make_unique<VisibleNonVisibleSilhouette>();
+  case SilhouetteMethod::Hybrid:
+    return std::make_unique<HybridSilhouette>(coplanarTolerance);
+  case SilhouetteMethod::Hierarchical:
+    return std::make_unique<HierarchicalSilhouette>();
+  default:
+    throw std::invalid_argument(toString(method) + " finds silhouettes on the GPU only");
+  }
+}
+
 } // namespace
 
 SilhouetteFinder::SilhouetteFinder() : id(nextId()) {}
@@ -30,10 +57,30 @@ std::optional<LightFacing> SilhouetteFinder::simplifyFacing(const SEDGeometry&, 
   return std::nullopt;
 }
 
+const std::vector<SilhouetteMethod>& getSilhouetteMethods()
+{
+  static const std::vector<SilhouetteMethod> methods = {SilhouetteMethod::Auto,
+                                                        SilhouetteMethod::BruteForce,
+                                                        SilhouetteMethod::EdgeBuffer,
+                                                        SilhouetteMethod::Triangular,
+                                                        SilhouetteMethod::VisibleNonVisible,
+                                                        SilhouetteMethod::Hybrid,
+                                                        SilhouetteMethod::Hierarchical,
+                                                        SilhouetteMethod::FacingTexture,
+                                                        SilhouetteMethod::FacingTextureResident,
+                                                        SilhouetteMethod::VertexTexture,
+                                                        SilhouetteMethod::VertexExtrusion,
+                                                        SilhouetteMethod::GeometryShader,
+                                                        SilhouetteMethod::Compute};
+  return methods;
+}
+
 std::string toString(SilhouetteMethod method)
 {
   switch (method)
   {
+  case SilhouetteMethod::Auto:
+    return "auto";
   case SilhouetteMethod::BruteForce:
     return "brute-force";
   case SilhouetteMethod::EdgeBuffer:
@@ -44,6 +91,8 @@ std::string toString(SilhouetteMethod method)
     return "visible-nonvisible";
   case SilhouetteMethod::Hybrid:
     return "hybrid";
+  case SilhouetteMethod::Hierarchical:
+    return "hierarchical";
   case SilhouetteMethod::FacingTexture:
     return "facing-texture";
   case SilhouetteMethod::FacingTextureResident:
@@ -60,23 +109,12 @@ std::string toString(SilhouetteMethod method)
   throw std::invalid_argument("unknown silhouette method");
 }
 
-std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method, double coplanarTolerance)
+std::unique_ptr<SilhouetteFinder> makeSilhouetteFinder(SilhouetteMethod method, double coplanarTolerance,
+                                                       ParallelFor parallelFor)
 {
-  switch (method)
-  {
-  case SilhouetteMethod::BruteForce:
-    return std::make_unique<BruteForceSilhouette>();
-  case SilhouetteMethod::EdgeBuffer:
-    return std::make_unique<EdgeBufferSilhouette>();
-  case SilhouetteMethod::Triangular:
-    return std::make_unique<TriangularSilhouette>();
-  case SilhouetteMethod::VisibleNonVisible:
-    return std::make_unique<VisibleNonVisibleSilhouette>();
-  case SilhouetteMethod::Hybrid:
-    return std::make_unique<HybridSilhouette>(coplanarTolerance);
-  default:
-    throw std::invalid_argument(toString(method) + " finds silhouettes on the GPU only");
-  }
+  std::unique_ptr<SilhouetteFinder> finder = construct(method, coplanarTolerance, std::move(parallelFor));
+  finder->method = method;
+  return finder;
 }
 
 } // namespace shadow

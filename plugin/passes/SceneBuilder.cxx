@@ -155,13 +155,15 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
     mesh.polyData = polyData;
     mesh.time = time;
     mesh.weldTolerance = settings.weldTolerance;
+    const std::shared_ptr<SEDGeode> previous = std::move(mesh.geode);
     mesh.geode.reset();
     mesh.error.clear();
     TriangleSoup soup = importTriangles(polyData);
     if (!soup.triangles.empty())
     {
-      std::optional<SEDGeometry> geometry =
-          buildSEDGeometry(std::move(soup), SEDGeometryOptions{settings.weldTolerance}, mesh.error);
+      const SEDGeometryOptions options{settings.weldTolerance,
+                                       previous != nullptr ? &previous->getGeometry() : nullptr};
+      std::optional<SEDGeometry> geometry = buildSEDGeometry(std::move(soup), options, mesh.error);
       if (geometry)
       {
         mesh.geode = std::make_shared<SEDGeode>(std::make_shared<const SEDGeometry>(std::move(*geometry)));

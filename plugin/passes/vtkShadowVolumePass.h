@@ -90,12 +90,13 @@ public:
   /// How silhouettes are found.
   enum SilhouetteMethods
   {
-    SILHOUETTE_BRUTE_FORCE =
-        0,                  ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
+    SILHOUETTE_AUTO = 0,    ///< brute force for small meshes, hierarchical for large ones
+    SILHOUETTE_BRUTE_FORCE, ///< facing of every triangle, then every edge, on the CPU (Shi 2006, chapter 3.2)
     SILHOUETTE_EDGE_BUFFER, ///< triangles flip bits at their edges (Buchanan & Sousa 2000)
     SILHOUETTE_TRIANGULAR,  ///< TA: a set of directed edges that cancel (Kolivand & Sunar 2011)
     SILHOUETTE_VISIBLE_NONVISIBLE, ///< VnV: edges with one neighbour facing the light (Kolivand & Sunar 2011)
     SILHOUETTE_HYBRID,         ///< HSD: TA on polygons merged from coplanar triangles (Kolivand & Sunar 2011)
+    SILHOUETTE_HIERARCHICAL,   ///< on the CPU, skipping clusters of triangles that face the light as one
     SILHOUETTE_FACING_TEXTURE, ///< facing drawn by the GPU into a texture and read back (Shi 2006,
                                ///< chapter 3.3)
     SILHOUETTE_FACING_TEXTURE_RESIDENT, ///< the same without reading it back
@@ -109,19 +110,22 @@ public:
 
   ///@{
   /**
-   * The silhouette method. All methods give the same picture. Default: SILHOUETTE_BRUTE_FORCE.
+   * The silhouette method. All methods give the same picture. Auto (default) takes the one that is faster on
+   * the CPU for the size of each caster.
    *
    * A method that the GL cannot do gives way to the next best: SILHOUETTE_FACING_TEXTURE_RESIDENT, then
    * SILHOUETTE_FACING_TEXTURE, then SILHOUETTE_BRUTE_FORCE. GetStatusMessage() tells why; the status stays
    * OK, since the picture is the same.
    */
-  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_BRUTE_FORCE, SILHOUETTE_COMPUTE);
+  vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_AUTO, SILHOUETTE_COMPUTE);
   vtkGetMacro(SilhouetteMethod, int);
+  void SetSilhouetteMethodToAuto() { this->SetSilhouetteMethod(SILHOUETTE_AUTO); }
   void SetSilhouetteMethodToBruteForce() { this->SetSilhouetteMethod(SILHOUETTE_BRUTE_FORCE); }
   void SetSilhouetteMethodToEdgeBuffer() { this->SetSilhouetteMethod(SILHOUETTE_EDGE_BUFFER); }
   void SetSilhouetteMethodToTriangular() { this->SetSilhouetteMethod(SILHOUETTE_TRIANGULAR); }
   void SetSilhouetteMethodToVisibleNonVisible() { this->SetSilhouetteMethod(SILHOUETTE_VISIBLE_NONVISIBLE); }
   void SetSilhouetteMethodToHybrid() { this->SetSilhouetteMethod(SILHOUETTE_HYBRID); }
+  void SetSilhouetteMethodToHierarchical() { this->SetSilhouetteMethod(SILHOUETTE_HIERARCHICAL); }
   ///@}
 
   ///@{
@@ -264,6 +268,7 @@ public:
   int GetNumberOfZFailCasters() const;   ///< of these, by z-fail
   int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before; 0 for
                                          ///< methods that keep volumes on the GPU
+  int GetNumberOfCastersFoundBy(int silhouetteMethod) const; ///< of these, what Auto has chosen
   int GetNumberOfSkippedCasters() const; ///< lines of GetSkippedCaster(): one for each caster and reason
   std::string GetSkippedCaster(int index) const; ///< "name: reason", or "" when there is no such index
   ///@}
@@ -323,7 +328,7 @@ private:
 
   int StencilMethod = STENCIL_AUTO;
   int CountBuffer = COUNT_AUTO;
-  int SilhouetteMethod = SILHOUETTE_BRUTE_FORCE;
+  int SilhouetteMethod = SILHOUETTE_AUTO;
   double CoplanarTolerance = 0.0;
   int Compositing = COMPOSITING_MASK;
   int Scope = SCOPE_AUTO;

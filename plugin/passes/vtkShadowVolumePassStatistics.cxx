@@ -81,6 +81,13 @@ int vtkShadowVolumePass::GetNumberOfRebuiltVolumes() const
   return this->Internals->GetStatistics().rebuiltVolumes;
 }
 
+int vtkShadowVolumePass::GetNumberOfCastersFoundBy(int silhouetteMethod) const
+{
+  const auto& used = this->Internals->GetStatistics().usedMethods;
+  const auto entry = used.find(static_cast<shadow::SilhouetteMethod>(silhouetteMethod));
+  return entry == used.end() ? 0 : entry->second;
+}
+
 int vtkShadowVolumePass::GetNumberOfSkippedCasters() const
 {
   return static_cast<int>(this->Internals->Skipped.size());

@@ -1,9 +1,9 @@
 #include "FigureMeasurement.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "SilhouetteFinder.h"
+#include "Timing.h"
 
 namespace shadow::benchmarks
 {
@@ -25,17 +25,6 @@ struct Series
   std::vector<double> stencil;
   std::vector<double> lighting;
 };
-
-double median(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 void drawStages(FigureScene& scene, Series& series)
 {

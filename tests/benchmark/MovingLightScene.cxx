@@ -1,23 +1,13 @@
 #include "MovingLightScene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstddef>
 
 #include "ShadowMap.h"
+#include "Timing.h"
 
 namespace shadow::benchmarks
 {
-
-using Clock = std::chrono::steady_clock;
-
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 MovingLightScene::MovingLightScene(vtkAlgorithm* source) : scene(640, 480)
 {
@@ -48,10 +38,12 @@ double MovingLightScene::draw(vtkRenderPass* pass)
     this->scene.renderer->SetPass(pass);
   }
   this->moveLight();
-  const Clock::time_point start = Clock::now();
-  this->scene.window->Render();
-  this->scene.window->WaitForCompletion();
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return measure(
+      [this]
+      {
+        this->scene.window->Render();
+        this->scene.window->WaitForCompletion();
+      });
 }
 
 void MovingLightScene::moveLight()

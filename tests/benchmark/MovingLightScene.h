@@ -1,16 +1,11 @@
 #pragma once
 
-#include <vector>
-
 #include <vtkCameraPass.h>
 
 #include "ShadowScene.h"
 
 namespace shadow::benchmarks
 {
-
-/// The upper one of the two in the middle, where there are two. @pre not empty
-double median(std::vector<double> values);
 
 /// Model on a floor, 640 x 480, a point light above and beside it that moves with every frame.
 class MovingLightScene

@@ -6,7 +6,6 @@
 //   CPU's
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -19,28 +18,15 @@
 #include "GpuScene.h"
 #include "OpenGL.h"
 #include "ShadowVolume.h"
+#include "Timing.h"
 
 namespace
 {
 
 using namespace shadow;
 using namespace shadow::test;
-using Clock = std::chrono::steady_clock;
-
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
-template <class Work>
-double measure(Work&& work)
-{
-  const Clock::time_point start = Clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
+using shadow::benchmarks::measure;
+using shadow::benchmarks::median;
 
 /// A torus of about this many triangles.
 TriangleSoup makeMesh(std::int64_t triangles)

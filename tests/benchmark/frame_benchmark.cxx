@@ -17,6 +17,7 @@
 #include <vtkSphereSource.h>
 
 #include "MovingLightScene.h"
+#include "Timing.h"
 
 namespace
 {

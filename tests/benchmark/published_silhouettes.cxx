@@ -31,6 +31,7 @@
 #include "PublishedForms.h"
 #include "SilhouetteFinder.h"
 #include "TestMeshes.h"
+#include "Timing.h"
 
 namespace
 {

@@ -10,9 +10,9 @@
 namespace shadow::test
 {
 
-std::shared_ptr<const SEDGeometry> share(const TriangleSoup& soup)
+std::shared_ptr<const SEDGeometry> share(const TriangleSoup& soup, const SEDGeometryOptions& options)
 {
-  return std::make_shared<const SEDGeometry>(build(soup));
+  return std::make_shared<const SEDGeometry>(build(soup, options));
 }
 
 std::shared_ptr<Transform> place(const std::shared_ptr<Node>& child, const glm::dmat4& matrix)

@@ -13,7 +13,7 @@
 namespace shadow::test
 {
 
-std::shared_ptr<const SEDGeometry> share(const TriangleSoup& soup);
+std::shared_ptr<const SEDGeometry> share(const TriangleSoup& soup, const SEDGeometryOptions& options = {});
 
 /// A child under a transform.
 std::shared_ptr<Transform> place(const std::shared_ptr<Node>& child, const glm::dmat4& matrix);

@@ -1,6 +1,7 @@
 #include "MeshFiles.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -72,6 +73,14 @@ TriangleSoup readMeshFile(const std::string& file)
     throw std::runtime_error(file + " holds no triangles");
   }
   return soup;
+}
+
+std::string toTestName(const std::string& file)
+{
+  std::string name = std::filesystem::path(file).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
 
 } // namespace shadow::test

@@ -16,4 +16,7 @@ std::vector<std::string> findMeshFiles(const std::string& folder);
 /// @throws std::runtime_error when there is none
 TriangleSoup readMeshFile(const std::string& file);
 
+/// The file's name as one of a test: letters and digits.
+std::string toTestName(const std::string& file);
+
 } // namespace shadow::test

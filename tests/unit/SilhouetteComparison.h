@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <memory>
 #include <random>
-#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -14,18 +14,14 @@
 namespace shadow::test
 {
 
-/// Every method but brute force, which the others are held against.
+/// Every CPU method but brute force, which the others are held against.
 std::vector<SilhouetteMethod> otherMethods();
 
-/// Finders of all methods, brute force in front.
+/// Finders of all CPU methods, brute force in front.
 std::vector<std::unique_ptr<SilhouetteFinder>> makeAllFinders();
 
 /// Facing as no light would give it: each triangle towards, away or (one in eight, if wanted) neither.
 LightFacing makeRandomFacing(std::size_t triangles, std::mt19937& random, bool withNeither);
-
-/// A light of one of eight kinds: around the mesh, far away, directional, along an axis, inside the bounding
-/// box, on a vertex, on an edge, in the plane of a triangle.
-glm::dvec4 makeLight(const SEDGeometry& geometry, std::mt19937& random, int kind);
 
 /// Expects every finder to find exactly the directed edges, with multiplicity, that the first one finds, in
 /// both casting modes.
@@ -33,5 +29,12 @@ glm::dvec4 makeLight(const SEDGeometry& geometry, std::mt19937& random, int kind
 /// @return  false when one does not; a message then says what is missing and what is too much
 bool expectSameEdges(const SEDGeometry& geometry, const LightFacing& facing,
                      const std::vector<std::unique_ptr<SilhouetteFinder>>& finders);
+
+/// Has every finder face the light, each in the memory that the one before has used, and expects the bits and
+/// edges of the first one.
+///
+/// @return  as expectSameEdges()
+bool expectSameAnswers(const SEDGeometry& geometry, const glm::dvec4& lightMC,
+                       const std::vector<std::unique_ptr<SilhouetteFinder>>& finders);
 
 } // namespace shadow::test

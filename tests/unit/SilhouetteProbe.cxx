@@ -71,7 +71,7 @@ SilhouetteProbe::Silhouettes SilhouetteProbe::read(const VertexTexture& method) 
 {
   const std::vector<std::uint32_t> words = this->readWords(method.getEdgeTexels(this->path));
   Silhouettes silhouettes(this->lights.size());
-  const std::vector<Edge>& edges = this->getGeometry().getEdges();
+  const std::vector<Edge> edges = this->getGeometry().getEdges().toVector();
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
     const std::uint32_t* texel = &words.at(4 * edge);
@@ -102,7 +102,7 @@ SilhouetteProbe::Silhouettes SilhouetteProbe::read(const ComputeSilhouette& meth
                      commands.data());
   glBindBuffer(GL_COPY_READ_BUFFER, 0);
   Silhouettes silhouettes(this->lights.size());
-  const std::vector<Edge>& edges = this->getGeometry().getEdges();
+  const std::vector<Edge> edges = this->getGeometry().getEdges().toVector();
   for (std::size_t light = 0; light < silhouettes.size(); ++light)
   {
     const std::uint32_t count = commands[light][0].indices / EdgeQuads::indicesOfQuad;

@@ -276,9 +276,8 @@ std::vector<NamedMesh> makeAllMeshes()
   return meshes;
 }
 
-SEDGeometry build(const TriangleSoup& soup, double weldTolerance)
+SEDGeometry build(const TriangleSoup& soup, const SEDGeometryOptions& options)
 {
-  const SEDGeometryOptions options{weldTolerance};
   std::string error;
   std::optional<SEDGeometry> geometry = buildSEDGeometry(soup, options, error);
   if (!geometry)

@@ -69,7 +69,7 @@ std::vector<NamedMesh> makeClosedMeshes();
 std::vector<NamedMesh> makeAllMeshes();
 
 /// The geometry of a soup that must be usable: throws std::runtime_error with the reason if it is not.
-SEDGeometry build(const TriangleSoup& soup, double weldTolerance = 0.0);
+SEDGeometry build(const TriangleSoup& soup, const SEDGeometryOptions& options = {});
 
 /// A random point in the cube from -reach to reach.
 glm::dvec3 randomPoint(std::mt19937& random, double reach);

@@ -125,7 +125,7 @@ class Reporting(CommandLine):
         self.assertEqual(report["size"], [120, 90])
         self.assertEqual(report["models"], [{"file": "cube.obj", "triangles": 12}])
         self.assertIs(report["floor"], False)
-        self.assertEqual(report["settings"], {"stencil": "zfail", "silhouette": "brute-force",
+        self.assertEqual(report["settings"], {"stencil": "zfail", "silhouette": "auto",
                                               "compositing": "additive", "samples": 1})
         self.assertEqual(report["camera"]["projection"], "perspective")
         (frame,) = report["frames"]
@@ -134,6 +134,7 @@ class Reporting(CommandLine):
         self.assertEqual((frame["status"], frame["message"]), ("ok", ""))
         self.assertEqual(frame["shadowLights"], 1)
         self.assertEqual(frame["casters"]["drawn"] + len(frame["casters"]["skipped"]), 1)
+        self.assertEqual(frame["casters"]["foundBy"], {"brute-force": frame["casters"]["drawn"]})
         triangles = frame["triangles"]
         self.assertEqual(triangles["total"],
                          triangles["ambient"] + triangles["sides"] + triangles["caps"] + triangles["lighting"])

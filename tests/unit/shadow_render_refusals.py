@@ -17,7 +17,7 @@ class Refusing(CommandLine):
     def test_unknown_options_and_values(self):
         self.refuse("allowed: --help, --output", "--colour", "red")
         self.refuse("allowed: auto, zpass, zfail", "--stencil", "both")
-        self.refuse("allowed: brute-force, edge-buffer, ", "--silhouette", "gpu")
+        self.refuse("allowed: auto, brute-force, edge-buffer, ", "--silhouette", "gpu")
         self.refuse("allowed: mask, additive", "--compositing", "both")
         self.refuse("allowed: off, on", "--floor", "perhaps")
         self.refuse("--samples", "--samples", "0")

@@ -122,9 +122,7 @@ TEST(Facing, LightsInAPlaneAndAHairOffIt_MatchExactArithmetic)
   const SEDGeometry geometry = build(soup);
   for (std::size_t t = 0; t < 60; ++t)
   {
-    const glm::dvec3 a = soup.points[soup.triangles[t][0]];
-    const glm::dvec3 b = soup.points[soup.triangles[t][1]];
-    const glm::dvec3 c = soup.points[soup.triangles[t][2]];
+    const auto [a, b, c] = getCorners(geometry, t);
     const glm::dvec3 inPlane = a + 2.0 * (b - a) - 3.0 * (c - a);
     EXPECT_EQ(facingOf(computeFacing(geometry, glm::dvec4(inPlane, 1.0)), t), 0);
     EXPECT_EQ(facingOf(computeFacing(geometry, glm::dvec4(c - b, 0.0)), t), 0);

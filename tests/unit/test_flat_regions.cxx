@@ -11,6 +11,7 @@
 #include "FlatRegions.h"
 #include "HybridSilhouette.h"
 #include "SilhouetteComparison.h"
+#include "TestLights.h"
 #include "TestMeshes.h"
 #include "VolumeOracle.h"
 

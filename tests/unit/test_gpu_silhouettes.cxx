@@ -196,7 +196,9 @@ TEST(GeometryTexels, MeshThatMoved_OnlyPositionsAreCopied)
   {
     point *= glm::dvec3(1.5, 1.25, 1.125);
   }
-  const SEDGeometry stretched = build(soup);
+  SEDGeometryOptions options;
+  options.previous = &before;
+  const SEDGeometry stretched = build(soup, options);
   ASSERT_TRUE(isSameMeshMoved(before, stretched));
   EXPECT_EQ(texels.update(before, stretched), stretched.getPositions().size());
 
@@ -205,7 +207,8 @@ TEST(GeometryTexels, MeshThatMoved_OnlyPositionsAreCopied)
   {
     point = glm::dvec3(-point.y, point.x, point.z);
   }
-  const SEDGeometry turned = build(soup);
+  options.previous = &stretched;
+  const SEDGeometry turned = build(soup, options);
   ASSERT_TRUE(isSameMeshMoved(stretched, turned));
   EXPECT_EQ(texels.update(stretched, turned), turned.getPositions().size() + turned.getTriangles().size());
 

@@ -172,6 +172,29 @@ TEST(PassChange, OneLightMoved_OnlyItsVolumesAreRebuilt)
   EXPECT_LE(scene.compare(1).wrongCertain, rimPixels);
 }
 
+TEST(PassChange, SilhouetteMethod_FindsAnewAndTheSameShadow)
+{
+  using Pass = vtkShadowVolumePass;
+  BallScene scene;
+  EXPECT_EQ(scene.pass->GetSilhouetteMethod(), Pass::SILHOUETTE_AUTO);
+  const Pixels before = scene.renderMask();
+  EXPECT_EQ(scene.pass->GetNumberOfCastersFoundBy(Pass::SILHOUETTE_BRUTE_FORCE), 1);
+  EXPECT_EQ(scene.pass->GetNumberOfCastersFoundBy(Pass::SILHOUETTE_HIERARCHICAL), 0);
+  scene.pass->SetSilhouetteMethodToHierarchical();
+  EXPECT_EQ(scene.renderMask(), before);
+  EXPECT_EQ(scene.pass->GetNumberOfRebuiltVolumes(), 1);
+  EXPECT_EQ(scene.pass->GetNumberOfCastersFoundBy(Pass::SILHOUETTE_BRUTE_FORCE), 0);
+  EXPECT_EQ(scene.pass->GetNumberOfCastersFoundBy(Pass::SILHOUETTE_HIERARCHICAL), 1);
+  expectNothingRebuilt(scene);
+  EXPECT_EQ(scene.pass->GetNumberOfCastersFoundBy(Pass::SILHOUETTE_HIERARCHICAL), 1);
+
+  scene.pass->SetSilhouetteMethodToAuto();
+  scene.ball->SetThetaResolution(200);
+  scene.ball->SetPhiResolution(100);
+  scene.window->Render();
+  EXPECT_EQ(scene.pass->GetNumberOfCastersFoundBy(Pass::SILHOUETTE_HIERARCHICAL), 1);
+}
+
 TEST(PassChange, ActorsComeAndGo_MaskIsOfThoseThatAreThere)
 {
   BallScene scene;

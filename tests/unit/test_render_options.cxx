@@ -60,6 +60,7 @@ TEST(RenderOptions, NoArguments_Defaults)
   EXPECT_TRUE(options.mask.empty());
   EXPECT_TRUE(options.report.empty());
   EXPECT_EQ(options.stencilMethod, 0);
+  EXPECT_EQ(options.silhouetteMethod, 0);
   EXPECT_EQ(options.compositing, 0);
   EXPECT_EQ(options.samples, 1);
   EXPECT_TRUE(options.help.empty());
@@ -75,7 +76,7 @@ TEST(RenderOptions, EveryOption_IsTaken)
                                        "--parallel",    "2.5",
                                        "--floor",       "off",
                                        "--stencil",     "zfail",
-                                       "--silhouette",  "brute-force",
+                                       "--silhouette",  "hierarchical",
                                        "--compositing", "additive",
                                        "--samples",     "4",
                                        "--frames",      "12",
@@ -92,6 +93,7 @@ TEST(RenderOptions, EveryOption_IsTaken)
   EXPECT_EQ(options.parallelScale, 2.5);
   EXPECT_FALSE(options.floor);
   EXPECT_EQ(options.stencilMethod, 2);
+  EXPECT_EQ(options.silhouetteMethod, 6);
   EXPECT_EQ(options.compositing, 1);
   EXPECT_EQ(options.samples, 4);
   EXPECT_EQ(options.frames, 12);
@@ -181,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"--output", "--mask", "m.png"}, "--output: needs a value"}, Refused{{"--mask="}, "--mask"},
         Refused{{"--floor", "maybe"}, "allowed: off, on"},
         Refused{{"--stencil", "both"}, "auto, zpass, zfail"},
-        Refused{{"--silhouette", "gpu"}, "allowed: brute-force, edge-buffer, "},
+        Refused{{"--silhouette", "gpu"}, "allowed: auto, brute-force, edge-buffer, "},
         Refused{{"--compositing", "add"}, "mask, additive"}, Refused{{"--samples", "0"}, "between 1 and 32"},
         Refused{{"--samples", "33"}, "between 1 and 32"}, Refused{{"--samples", "2.0"}, "whole number"},
         Refused{{"--samples", "99999999999999999999"}, "between 1 and 32"},

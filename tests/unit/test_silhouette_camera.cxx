@@ -159,7 +159,8 @@ TEST(SilhouetteCamera, LightAtACorner_TouchingTrianglesHaveNoBits)
 TEST(SilhouetteCamera, OnlyPositionsChanged_OnlyMovedTrianglesAreUploaded)
 {
   GpuScene scene(16);
-  const auto mover = scene.add(makeTorus(1.0, 0.4, 24, 12)); // 576 triangles
+  auto geometry = std::make_shared<const SEDGeometry>(build(makeTorus(1.0, 0.4, 24, 12))); // 576 triangles
+  const auto mover = scene.add(geometry);
   scene.add(makeCube(glm::dvec3(0.0, -3.0, 0.0)));
   const std::vector<Light> lights = makeLights(8, 4.0, 5);
   ASSERT_EQ(scene.draw(lights), "");
@@ -178,8 +179,11 @@ TEST(SilhouetteCamera, OnlyPositionsChanged_OnlyMovedTrianglesAreUploaded)
       {
         point.x += 0.2 * std::sin(3.0 * point.y + frame);
       }
+      SEDGeometryOptions options;
+      options.previous = geometry.get();
+      geometry = std::make_shared<const SEDGeometry>(build(soup, options));
       mover->clearChildren();
-      mover->addChild(std::make_shared<SEDGeode>(std::make_shared<const SEDGeometry>(build(soup))));
+      mover->addChild(std::make_shared<SEDGeode>(geometry));
     }
     ASSERT_EQ(scene.collector.collect(scene.root), VETCollector::Change::Positions);
     ASSERT_EQ(scene.triangles.upload(scene.collector.getCollection()), 576u);

@@ -1,20 +1,20 @@
-// Every silhouette method finds the edges that brute force finds: on any mesh, for any light, for any bits.
+// Every silhouette method finds the bits and edges that brute force finds: on any mesh, for any light, for
+// any bits.
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
+#include <cmath>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "ExactOrientation.h"
 #include "HybridSilhouette.h"
+#include "MeshFamilies.h"
 #include "MeshFiles.h"
 #include "SilhouetteComparison.h"
-#include "TestMeshes.h"
-#include "VolumeOracle.h"
+#include "TestLights.h"
 
 namespace shadow::test
 {
@@ -22,49 +22,36 @@ namespace shadow::test
 namespace
 {
 
-constexpr int lights = 1000;
+constexpr int thousand = 1000;
 
-/// Triangles between the points of a small grid: full of coplanar neighbours, crowded edges, duplicates,
-/// touching fans and triangles without area.
-TriangleSoup makeGridSoup(std::mt19937& random)
+void expectSameAnswersForLights(const SEDGeometry& geometry, std::uint32_t seed)
 {
-  const std::uint32_t side = 2 + random() % 3;
-  TriangleSoup soup;
-  for (std::uint32_t point = 0; point < side * side * side; ++point)
+  const auto finders = makeAllFinders();
+  std::mt19937 random(seed);
+  for (int light = 0; light < thousand; ++light)
   {
-    soup.points.emplace_back(point % side, point / side % side, point / (side * side));
+    ASSERT_TRUE(expectSameAnswers(geometry, makeLight(geometry, random, light), finders))
+        << "light " << light;
   }
-  const std::size_t wanted = 1 + random() % 80;
-  const auto count = static_cast<std::uint32_t>(soup.points.size());
-  while (soup.triangles.size() < wanted)
-  {
-    const std::uint32_t a = random() % count;
-    // Mostly neighbours on the grid, so that edges are shared.
-    const std::uint32_t b = random() % 4 == 0 ? random() % count : (a + 1 + random() % side) % count;
-    const std::uint32_t c = random() % 4 == 0 ? random() % count : (a + side * (1 + random() % side)) % count;
-    if (a != b && b != c && c != a)
-    {
-      soup.triangles.push_back({a, b, c});
-    }
-  }
-  return soup;
 }
 
 } // namespace
 
-TEST(SilhouetteMethods, BuiltInMesh_1000Lights_SameEdgesAsBruteForce)
+TEST(SilhouetteMethods, BuiltInMesh_1000Lights_SameAsBruteForce)
 {
-  const auto finders = makeAllFinders();
-  std::mt19937 random(11);
   for (const NamedMesh& mesh : makeAllMeshes())
   {
     SCOPED_TRACE(mesh.name);
-    const SEDGeometry geometry = build(mesh.soup);
-    for (int light = 0; light < lights; ++light)
-    {
-      const LightFacing facing = computeFacing(geometry, makeLight(geometry, random, light));
-      ASSERT_TRUE(expectSameEdges(geometry, facing, finders)) << "light " << light;
-    }
+    expectSameAnswersForLights(build(mesh.soup), 11);
+  }
+}
+
+TEST(SilhouetteMethods, LargeMesh_1000Lights_SameAsBruteForce)
+{
+  for (const NamedMesh& mesh : makeLargeMeshes())
+  {
+    SCOPED_TRACE(mesh.name);
+    expectSameAnswersForLights(build(mesh.soup), 1);
   }
 }
 
@@ -84,7 +71,7 @@ TEST(SilhouetteMethods, BuiltInMesh_AnyFacingBits_SameEdgesAsBruteForce)
   }
 }
 
-TEST(SilhouetteMethods, RandomSoup_LightsAndBits_SameEdgesAsBruteForce)
+TEST(SilhouetteMethods, RandomSoup_LightsAndBits_SameAsBruteForce)
 {
   const auto finders = makeAllFinders();
   for (std::uint32_t seed = 0; seed < 600; ++seed)
@@ -93,41 +80,13 @@ TEST(SilhouetteMethods, RandomSoup_LightsAndBits_SameEdgesAsBruteForce)
     const SEDGeometry geometry = build(seed % 4 == 0 ? makeRandomSoup(40, seed) : makeGridSoup(random));
     for (int round = 0; round < 24; ++round)
     {
+      const bool anyBits = round % 3 == 0;
       const LightFacing facing =
-          round % 3 == 0
-              ? makeRandomFacing(geometry.getTriangles().size(), random, true)
-              : computeFacing(geometry, makeLight(geometry, random, static_cast<int>(random() % 8)));
-      ASSERT_TRUE(expectSameEdges(geometry, facing, finders)) << "seed " << seed << ", round " << round;
-    }
-  }
-}
-
-TEST(SilhouetteMethods, RandomSoup_NoEdgeMissingOrExtraByExactArithmetic)
-{
-  const auto finders = makeAllFinders();
-  for (std::uint32_t seed = 1000; seed < 1100; ++seed)
-  {
-    std::mt19937 random(seed);
-    const SEDGeometry geometry = build(makeGridSoup(random));
-    const std::vector<std::uint32_t> first = findFirstAtPosition(geometry);
-    const std::vector<glm::vec3>& p = geometry.getPositions();
-    // Off the grid, so that no vertex is at the light.
-    const glm::dvec4 light(randomPoint(random, 4.0), seed % 2);
-    EdgeBalance exact;
-    for (const auto& c : geometry.getTriangles())
-    {
-      exact.addTriangle({first[c[0]], first[c[1]], first[c[2]]},
-                        exactOrientation(p[c[0]], p[c[1]], p[c[2]], light));
-    }
-    for (const auto& finder : finders)
-    {
-      EdgeBalance found;
-      for (const SilhouetteEdge& edge :
-           finder->find(geometry, computeFacing(geometry, light), Casting::EveryTriangle))
-      {
-        found.add(first[edge.from], first[edge.to], static_cast<int>(edge.multiplicity));
-      }
-      ASSERT_EQ(exact.get(), found.get()) << "seed " << seed;
+          anyBits ? makeRandomFacing(geometry.getTriangles().size(), random, true) : LightFacing();
+      const glm::dvec4 light = makeLight(geometry, random, static_cast<int>(random() % lightKinds));
+      ASSERT_TRUE(anyBits ? expectSameEdges(geometry, facing, finders)
+                          : expectSameAnswers(geometry, light, finders))
+          << "seed " << seed << ", round " << round;
     }
   }
 }
@@ -153,19 +112,101 @@ TEST(SilhouetteMethods, HybridWithTolerance_IsExactForTheFacingHandedIn)
   }
 }
 
+TEST(SilhouetteMethods, FacingOfHierarchical_IsTakenByEveryMethod)
+{
+  // What it notes beside the bits must not lead another method astray, nor outlive a change of the bits.
+  const auto finders = makeAllFinders();
+  const HybridSilhouette simplifier(40.0);
+  const SEDGeometry geometry = build(makeTorus(1.0, 0.4, 100, 50));
+  std::mt19937 random(15);
+  LightFacing facing;
+  for (int light = 0; light < 100; ++light)
+  {
+    const glm::dvec4 lightMC = makeLight(geometry, random, light);
+    makeSilhouetteFinder(SilhouetteMethod::Hierarchical)->face(geometry, lightMC, facing);
+    ASSERT_TRUE(expectSameEdges(geometry, facing, finders)) << "light " << light;
+    ASSERT_TRUE(expectSameEdges(geometry, *simplifier.simplifyFacing(geometry, facing), finders))
+        << "simplified, light " << light;
+    clearTouching(geometry, lightMC, facing);
+    ASSERT_TRUE(expectSameEdges(geometry, facing, finders)) << "light " << light;
+  }
+}
+
+TEST(SilhouetteMethods, AnyOrderOfParts_SameAsBruteForce)
+{
+  // Large enough for several parts; in the reverse order, as threads might take them.
+  const SEDGeometry geometry = build(makeTorus(1.0, 0.4, 600, 300));
+  std::size_t calls = 0;
+  const ParallelFor backwards = [&calls](std::size_t count, const auto& part)
+  {
+    for (std::size_t index = count; index > 0; --index)
+    {
+      part(index - 1, index);
+      ++calls;
+    }
+  };
+  std::vector<std::unique_ptr<SilhouetteFinder>> finders = makeAllFinders();
+  for (const SilhouetteMethod method : getSilhouetteMethods())
+  {
+    if (!isOnGPU(method))
+    {
+      finders.push_back(makeSilhouetteFinder(method, 0.0, backwards));
+    }
+  }
+  for (const glm::dvec4& light : makeLights(geometry, lightKinds, 7))
+  {
+    ASSERT_TRUE(expectSameAnswers(geometry, light, finders));
+  }
+  EXPECT_GT(calls, 2u);
+}
+
+TEST(SilhouetteMethods, LightWithoutAPlace_LightsNothing)
+{
+  const SEDGeometry geometry = build(makeTorus(1.0, 0.4, 40, 20));
+  LightFacing facing;
+  for (const auto& finder : makeAllFinders())
+  {
+    finder->face(geometry, {3, 4, 5, 1}, facing);
+    ASSERT_GT(facing.towards.countSet(), 0u);
+    for (const glm::dvec4 light :
+         {glm::dvec4(0.0), glm::dvec4(0, std::nan(""), 1, 1), glm::dvec4(0, 0, HUGE_VAL, 0)})
+    {
+      finder->face(geometry, light, facing);
+      EXPECT_EQ(facing.towards.countSet() + facing.away.countSet(), 0u);
+      EXPECT_TRUE(finder->find(geometry, facing, Casting::LightFacing).empty());
+      EXPECT_TRUE(finder->find(geometry, facing, Casting::EveryTriangle).empty());
+    }
+  }
+}
+
+TEST(SilhouetteMethods, Auto_TakesWhatSuitsTheSize)
+{
+  const auto finder = makeSilhouetteFinder(SilhouetteMethod::Auto);
+  EXPECT_EQ(finder->getMethod(build(makeCube())), SilhouetteMethod::BruteForce);
+  EXPECT_EQ(finder->getMethod(build(makeTorus(1.0, 0.4, 200, 100))), SilhouetteMethod::Hierarchical);
+}
+
 TEST(SilhouetteMethods, HaveDistinctNamesAndFinders)
 {
+  const SEDGeometry cube = build(makeCube());
   std::set<std::string> names;
   std::set<std::uint64_t> ids;
-  for (const SilhouetteMethod method : otherMethods())
+  for (const SilhouetteMethod method : getSilhouetteMethods())
   {
     names.insert(toString(method));
-    ids.insert(makeSilhouetteFinder(method)->getId());
+    if (isOnGPU(method))
+    {
+      EXPECT_THROW(makeSilhouetteFinder(method), std::invalid_argument) << toString(method);
+      continue;
+    }
+    const auto finder = makeSilhouetteFinder(method);
+    EXPECT_TRUE(ids.insert(finder->getId()).second) << "an id came up twice";
+    EXPECT_EQ(finder->getMethod(cube),
+              method == SilhouetteMethod::Auto ? SilhouetteMethod::BruteForce : method);
   }
-  EXPECT_EQ(names.size(), otherMethods().size());
-  EXPECT_EQ(ids.size(), otherMethods().size()) << "an id came up twice";
-  EXPECT_EQ(names.count("brute-force"), 0u);
-  for (const char* name : {"edge-buffer", "triangular", "visible-nonvisible", "hybrid"})
+  EXPECT_EQ(names.size(), getSilhouetteMethods().size());
+  for (const char* name : {"auto", "brute-force", "edge-buffer", "triangular", "visible-nonvisible", "hybrid",
+                           "hierarchical", "facing-texture", "facing-texture-resident", "vertex-extrusion"})
   {
     EXPECT_EQ(names.count(name), 1u) << name;
   }
@@ -177,26 +218,12 @@ class MeshFileSilhouettes : public testing::TestWithParam<std::string>
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MeshFileSilhouettes);
 
-TEST_P(MeshFileSilhouettes, MethodsOn1000Lights_SameEdgesAsBruteForce)
+TEST_P(MeshFileSilhouettes, MethodsOn1000Lights_SameAsBruteForce)
 {
-  const auto finders = makeAllFinders();
-  const SEDGeometry geometry = build(readMeshFile(GetParam()));
-  std::mt19937 random(14);
-  for (int light = 0; light < lights; ++light)
-  {
-    const LightFacing facing = computeFacing(geometry, makeLight(geometry, random, light));
-    ASSERT_TRUE(expectSameEdges(geometry, facing, finders)) << "light " << light;
-  }
+  expectSameAnswersForLights(build(readMeshFile(GetParam())), 14);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshFileSilhouettes, testing::ValuesIn(findMeshFiles(SHADOW_MODELS)),
-                         [](const auto& test)
-                         {
-                           std::string name = std::filesystem::path(test.param).stem().string();
-                           std::replace_if(
-                               name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; },
-                               '_');
-                           return name;
-                         });
+                         [](const auto& test) { return toTestName(test.param); });
 
 } // namespace shadow::test

@@ -90,7 +90,8 @@ TEST(VETCollector, DeformedMeshBuiltAnew_OnlyPositionsAndOrder)
   Group root;
   root.addChild(std::make_shared<SEDGeode>(share(makeCube(glm::dvec3(0.0, -3.0, 0.0)))));
   const auto holder = std::make_shared<Group>();
-  holder->addChild(std::make_shared<SEDGeode>(share(soup)));
+  std::shared_ptr<const SEDGeometry> geometry = share(soup);
+  holder->addChild(std::make_shared<SEDGeode>(geometry));
   root.addChild(holder);
   VETCollector collector;
   collector.collect(root);
@@ -102,7 +103,10 @@ TEST(VETCollector, DeformedMeshBuiltAnew_OnlyPositionsAndOrder)
     const std::vector<std::array<std::uint32_t, 3>> before = collection.triangles;
     const std::uint64_t order = collection.ranges[1].orderRevision;
     holder->clearChildren();
-    holder->addChild(std::make_shared<SEDGeode>(share(deform(soup, 0.3 * frame))));
+    SEDGeometryOptions options;
+    options.previous = geometry.get();
+    geometry = share(deform(soup, 0.3 * frame), options);
+    holder->addChild(std::make_shared<SEDGeode>(geometry));
     ASSERT_EQ(collector.collect(root), Change::Positions) << "frame " << frame;
     EXPECT_EQ(collection.topologyRevision, topology);
     EXPECT_EQ(collection.ranges[0].positionRevision, topology);

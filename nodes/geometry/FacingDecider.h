@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+#include "FacingBits.h"
+#include "PlaneBlock.h"
+#include "PlaneKernel.h"
+#include "SEDGeometry.h"
+
+namespace shadow
+{
+
+/// Decides how the triangles of chosen words of FacingBits face one light, exactly: what single precision
+/// cannot tell is decided in double precision, and what that cannot tell in exact arithmetic.
+///
+/// @par Source  Shewchuk 1997, see ExactOrientation.h
+class FacingDecider
+{
+public:
+  /// @param lightMC  as for computeFacing()
+  FacingDecider(const SEDGeometry& geometry, const glm::dvec4& lightMC,
+                InstructionSet set = getInstructionSets().back());
+
+  /// False when the light is not finite or has no direction: then no triangle has a bit.
+  bool isLit() const { return this->light.bound > 0.0f; }
+
+  const ScaledLight& getScaledLight() const { return this->light; }
+
+  /// Writes the words [firstWord, endWord) of @p facing, which is as large as the mesh.
+  ///
+  /// @pre       isLit()
+  /// @par Cost  reads 1 KB a word, and 50 ns to a few microseconds for each triangle close to the light's
+  /// plane
+  void decide(std::size_t firstWord, std::size_t endWord, LightFacing& facing) const;
+
+private:
+  int resolve(std::uint32_t triangle) const;
+
+  const SEDGeometry& geometry;
+  glm::dvec4 lightMC;
+  ScaledLight light;
+  PlaneKernel comparePlanes;
+};
+
+/// Does a corner coincide with a point light, as seen by whoever extrudes the triangle in single precision?
+bool touchesLight(const SEDGeometry& geometry, std::uint32_t triangle, const glm::vec3& lightMC);
+
+} // namespace shadow

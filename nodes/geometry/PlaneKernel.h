@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "PlaneBlock.h"
+
+namespace shadow
+{
+
+/// Ways to compute the same thing on this machine.
+enum class InstructionSet
+{
+  Scalar, ///< one after the other; plain C++
+  Vector, ///< vectors of the machine the library was built for
+  Avx2    ///< x86 with AVX2, found out at run time
+};
+
+/// Those that this processor and this build have, the slowest first.
+const std::vector<InstructionSet>& getInstructionSets();
+
+/// Compares the planes' values at a light with its bound.
+///
+/// @param towards,away  a word a block: bits of the triangles whose value is above bound, or below -bound.
+/// The
+///                      same for every instruction set
+/// @par Cost  reads 16 bytes a triangle
+using PlaneKernel = void (*)(const PlaneBlock* blocks, std::size_t count, const ScaledLight& light,
+                             std::uint64_t* towards, std::uint64_t* away);
+
+PlaneKernel getPlaneKernel(InstructionSet set);
+
+} // namespace shadow

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "EdgeTable.h"
+#include "PlaneKernel.h"
+
+namespace shadow
+{
+
+/// An edge whose triangles differ.
+struct DifferingEdge
+{
+  std::uint32_t first;  ///< triangle
+  std::uint32_t side;   ///< of the first triangle, see EdgeTable
+  std::uint32_t second; ///< triangle
+};
+
+/// Appends edges of the words [firstWord, endWord) whose triangles differ in one of the bits.
+///
+/// @param towards,away  words of FacingBits; @p away may be null: only @p towards is compared then
+using EdgeKernel = void (*)(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
+                            std::size_t firstWord, std::size_t endWord, std::vector<DifferingEdge>& found);
+
+/// @par Cost  reads 2 bytes and two bits an inner edge, 5 bytes and two bits an outer one
+struct EdgeKernels
+{
+  EdgeKernel compareInner;
+  EdgeKernel compareOuter;
+};
+
+EdgeKernels getEdgeKernels(InstructionSet set);
+
+} // namespace shadow

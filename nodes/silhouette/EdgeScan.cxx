@@ -1,0 +1,164 @@
+#include "EdgeScan.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "EdgeKernel.h"
+#include "Prefetch.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+/// Does every triangle have one of its bits? Then triangles differ in both bits or in none.
+bool isDecided(const LightFacing& facing)
+{
+  std::size_t missing = 64 * facing.towards.getWords().size() - facing.towards.size();
+  const std::vector<std::uint64_t>& towards = facing.towards.getWords();
+  const std::vector<std::uint64_t>& away = facing.away.getWords();
+  if (missing > 0 && (towards.back() ^ away.back()) != ~std::uint64_t{0} >> missing)
+  {
+    return false;
+  }
+  const std::size_t whole = towards.size() - (missing > 0 ? 1 : 0);
+  std::uint64_t all = ~std::uint64_t{0};
+  for (std::size_t word = 0; word < whole; ++word)
+  {
+    all &= towards[word] ^ away[word];
+  }
+  return all == ~std::uint64_t{0};
+}
+
+/// So many words, or edges, are asked for before their turn.
+constexpr std::size_t ahead = 4;
+constexpr std::size_t farAhead = 8;
+
+void prefetchEdges(const EdgeTable& table, std::uint32_t word)
+{
+  const std::uint32_t inner = table.innerBegins[word];
+  const std::uint32_t outer = table.outerBegins[word];
+  prefetch(table.innerFirst.data() + inner, table.innerBegins[word + 1] - inner);
+  prefetch(table.innerSecond.data() + inner, table.innerBegins[word + 1] - inner);
+  prefetch(table.outerFirst.data() + outer, table.outerBegins[word + 1] - outer);
+  prefetch(table.outerSecond.data() + outer, 4 * (table.outerBegins[word + 1] - outer));
+}
+
+} // namespace
+
+EdgeScan::EdgeScan(const SEDGeometry& theGeometry, const LightFacing& theFacing, Casting theCasting)
+    : geometry(theGeometry), facing(theFacing), casting(theCasting),
+      towards(theFacing.towards.getWords().data()), away(nullptr)
+{
+  // Looking at all words takes less time than comparing all edges twice, but more than a hierarchy may.
+  if (theCasting == Casting::EveryTriangle && (theFacing.mixedWords || !isDecided(theFacing)))
+  {
+    this->away = theFacing.away.getWords().data();
+  }
+}
+
+/// 1 when the triangle casts as it is oriented, -1 when it casts turned over, 0 when it does not cast.
+int EdgeScan::getSign(std::uint32_t triangle) const
+{
+  const int sign = this->facing.towards.test(triangle) ? 1 : 0;
+  return this->casting == Casting::LightFacing ? sign : sign - (this->facing.away.test(triangle) ? 1 : 0);
+}
+
+/// Adds an edge when the sum over its triangles of how they run through it, each turned to the light, is not
+/// zero.
+void EdgeScan::add(std::uint32_t first, std::uint32_t side, int sum,
+                   std::vector<SilhouetteEdge>& silhouette) const
+{
+  if (sum != 0)
+  {
+    // Looked up, as which way an edge runs is nothing that a processor could foresee.
+    const std::array<std::uint32_t, 2> ends = this->geometry.getSide(first, side);
+    const std::size_t from = sum < 0 ? 1 : 0;
+    silhouette.push_back({ends[from], ends[1 - from], static_cast<std::uint32_t>(std::abs(sum))});
+  }
+}
+
+/// No inner edge differs where all triangles of the word face alike.
+bool EdgeScan::isUniform(std::uint32_t word) const
+{
+  const auto isOne = [](std::uint64_t bits) { return bits == 0 || bits == ~std::uint64_t{0}; };
+  return isOne(this->towards[word]) && (this->away == nullptr || isOne(this->away[word]));
+}
+
+void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
+                        std::vector<SilhouetteEdge>& silhouette) const
+{
+  constexpr std::size_t atOnce = 256;
+  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const EdgeTable& table = this->geometry.getEdgeTable();
+  std::vector<DifferingEdge> differing;
+  for (std::size_t first = firstWord; first < endWord; first += atOnce)
+  {
+    const std::size_t end = std::min(first + atOnce, endWord);
+    kernels.compareInner(table, this->towards, this->away, first, end, differing);
+    kernels.compareOuter(table, this->towards, this->away, first, end, differing);
+    this->moveDiffering(differing, silhouette);
+  }
+}
+
+void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
+                        std::vector<SilhouetteEdge>& silhouette) const
+{
+  constexpr std::size_t atOnce = 256;
+  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const EdgeTable& table = this->geometry.getEdgeTable();
+  // About half of the words hold an edge, and these some five.
+  silhouette.reserve(silhouette.size() + 4 * words.size() + table.borders.size());
+  std::vector<DifferingEdge> differing;
+  for (std::size_t index = 0; index < words.size(); ++index)
+  {
+    const std::uint32_t word = words[index];
+    if (index + farAhead < words.size())
+    {
+      prefetch(&table.innerBegins[words[index + farAhead]], 1);
+      prefetch(&table.outerBegins[words[index + farAhead]], 1);
+    }
+    if (index + ahead < words.size())
+    {
+      prefetchEdges(table, words[index + ahead]);
+    }
+    if (!this->isUniform(word))
+    {
+      kernels.compareInner(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    }
+    kernels.compareOuter(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    if (differing.size() >= atOnce)
+    {
+      this->moveDiffering(differing, silhouette);
+    }
+  }
+  this->moveDiffering(differing, silhouette);
+}
+
+/// Turns what was found into silhouette edges; the list is empty afterwards.
+void EdgeScan::moveDiffering(std::vector<DifferingEdge>& differing,
+                             std::vector<SilhouetteEdge>& silhouette) const
+{
+  for (std::size_t index = 0; index < differing.size(); ++index)
+  {
+    if (index + farAhead < differing.size())
+    {
+      prefetch(&this->geometry.getTriangles()[differing[index + farAhead].first], 1);
+    }
+    const DifferingEdge& edge = differing[index];
+    this->add(edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second), silhouette);
+  }
+  differing.clear();
+}
+
+void EdgeScan::addBorders(std::vector<SilhouetteEdge>& silhouette) const
+{
+  for (const std::uint32_t border : this->geometry.getEdgeTable().borders)
+  {
+    this->add(border / 3, border % 3, this->getSign(border / 3), silhouette);
+  }
+}
+
+} // namespace shadow
