@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -26,34 +27,50 @@ struct Edge
 /// triangle: side s runs between the corners s and (s + 1) % 3 in raster order. Inner edges have both
 /// triangles in one word, outer edges in two.
 ///
-/// @par Memory  2 bytes an inner, 5 an outer, 4 a border edge, and 8 bytes a word: about 4 bytes a triangle
+/// @par Memory  2 bytes an inner, 5 an outer, 4 a border edge, and 10 bytes a word: about 4 bytes a triangle
 /// of a mesh whose triangles are sorted into patches
 struct EdgeTable
 {
   /// The number of a triangle in its word, plus 64 times a side of it.
   using Code = std::uint8_t;
 
-  /// So many entries, all zero, stand after those of the last inner and the last outer edge.
-  static constexpr std::size_t padding = 32;
-
   static std::uint32_t triangleOf(Code code) { return code & 63u; }
   static std::uint32_t sideOf(Code code) { return code >> 6; }
 
-  /// @name  Entries [begins[word], begins[word + 1]) belong to the word
-  /// @{
-  std::vector<std::uint32_t> innerBegins;
-  std::vector<Code> innerFirst;
-  std::vector<Code> innerSecond; ///< the same edge as a side of the second triangle
-  std::vector<std::uint32_t> outerBegins;
-  std::vector<Code> outerFirst;
-  std::vector<std::uint32_t> outerSecond; ///< triangle
-  /// @}
+  /// The edges of one word. So many bytes may be read from each array: those of its edges, and 32 more.
+  struct Record
+  {
+    std::size_t inner; ///< edges; 96 at most
+    std::size_t outer; ///< edges; 192 at most
+    const Code* innerFirst;
+    const Code* innerSecond; ///< the same edges as sides of their second triangles
+    const Code* outerFirst;
+    const std::uint32_t* outerSecond; ///< triangles
+  };
 
+  Record getRecord(std::size_t word) const
+  {
+    const Word& at = this->words[word];
+    const std::uint32_t* outerSecond = this->data.data() + at.place;
+    const auto* codes = reinterpret_cast<const Code*>(outerSecond + at.outer);
+    return {at.inner, at.outer, codes + at.outer, codes + at.outer + at.inner, codes, outerSecond};
+  }
+
+  /// Where a record lies; see getRecord().
+  struct Word
+  {
+    std::uint32_t place; ///< in data
+    std::uint8_t inner;
+    std::uint8_t outer;
+  };
+
+  std::vector<Word> words;
+  std::vector<std::uint32_t> data;    ///< records one after the other, so that each is in few cache lines
   std::vector<std::uint32_t> borders; ///< 3 * triangle + side, rising
+  std::size_t innerEdges = 0;
+  std::size_t outerEdges = 0;
 
-  std::size_t countInner() const { return this->innerBegins.empty() ? 0 : this->innerBegins.back(); }
-  std::size_t countOuter() const { return this->outerBegins.empty() ? 0 : this->outerBegins.back(); }
-  std::size_t countEdges() const { return this->countInner() + this->countOuter() + this->borders.size(); }
+  std::size_t countEdges() const { return this->innerEdges + this->outerEdges + this->borders.size(); }
 
   /// Bytes held by the arrays.
   std::size_t getMemorySize() const;
@@ -68,17 +85,22 @@ EdgeTable makeEdgeTable(const std::vector<Edge>& edges,
 class SEDGeometry;
 
 /// The edges of a geometry, one by one: a range that makes each Edge as it is asked for. Lasts as long as the
-/// geometry.
-///
-/// First the inner edges, then the outer ones, then the borders.
+/// geometry. Those of each word, inner before outer ones, then the borders.
 class EdgeList
 {
 public:
   class Iterator
   {
   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Edge;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Edge*;
+    using reference = Edge;
+
     Edge operator*() const;
     Iterator& operator++();
+    bool operator==(const Iterator& other) const { return this->index == other.index; }
     bool operator!=(const Iterator& other) const { return this->index != other.index; }
 
   private:
@@ -90,7 +112,8 @@ public:
 
     const SEDGeometry* geometry;
     std::size_t index;
-    std::size_t word = 0; ///< the edge belongs to it, unless it is a border
+    std::size_t word = 0;   ///< the edge belongs to it; behind the last one for borders
+    std::size_t inWord = 0; ///< number in the word, or of the border
   };
 
   explicit EdgeList(const SEDGeometry& theGeometry) : geometry(theGeometry) {}
@@ -99,13 +122,7 @@ public:
   Iterator begin() const;
   Iterator end() const { return Iterator(this->geometry, this->size()); }
 
-  /// @pre       index < size()
-  /// @par Cost  O(log(triangles)); walking is O(1) an edge
-  Edge operator[](std::size_t index) const;
-
 private:
-  Edge makeEdge(std::size_t index, std::size_t word) const;
-
   const SEDGeometry& geometry;
 };
 

@@ -38,12 +38,8 @@ constexpr std::size_t farAhead = 8;
 
 void prefetchEdges(const EdgeTable& table, std::uint32_t word)
 {
-  const std::uint32_t inner = table.innerBegins[word];
-  const std::uint32_t outer = table.outerBegins[word];
-  prefetch(table.innerFirst.data() + inner, table.innerBegins[word + 1] - inner);
-  prefetch(table.innerSecond.data() + inner, table.innerBegins[word + 1] - inner);
-  prefetch(table.outerFirst.data() + outer, table.outerBegins[word + 1] - outer);
-  prefetch(table.outerSecond.data() + outer, 4 * (table.outerBegins[word + 1] - outer));
+  const EdgeTable::Record record = table.getRecord(word);
+  prefetch(record.outerSecond, 5 * record.outer + 2 * record.inner);
 }
 
 } // namespace
@@ -97,8 +93,7 @@ void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
   for (std::size_t first = firstWord; first < endWord; first += atOnce)
   {
     const std::size_t end = std::min(first + atOnce, endWord);
-    kernels.compareInner(table, this->towards, this->away, first, end, differing);
-    kernels.compareOuter(table, this->towards, this->away, first, end, differing);
+    kernels.compareAll(table, this->towards, this->away, first, end, differing);
     this->moveDiffering(differing, silhouette);
   }
 }
@@ -117,18 +112,14 @@ void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
     const std::uint32_t word = words[index];
     if (index + farAhead < words.size())
     {
-      prefetch(&table.innerBegins[words[index + farAhead]], 1);
-      prefetch(&table.outerBegins[words[index + farAhead]], 1);
+      prefetch(&table.words[words[index + farAhead]], sizeof(EdgeTable::Word));
     }
     if (index + ahead < words.size())
     {
       prefetchEdges(table, words[index + ahead]);
     }
-    if (!this->isUniform(word))
-    {
-      kernels.compareInner(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
-    }
-    kernels.compareOuter(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    const EdgeKernel compare = this->isUniform(word) ? kernels.compareOuter : kernels.compareAll;
+    compare(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
     if (differing.size() >= atOnce)
     {
       this->moveDiffering(differing, silhouette);
