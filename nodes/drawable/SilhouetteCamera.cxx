@@ -50,6 +50,7 @@ void SilhouetteCamera::getFacing(const VETRange& range, const Light& light, Ligh
   const auto bit = static_cast<unsigned>(light.index);
   facing.towards.assign(triangles);
   facing.away.assign(triangles);
+  facing.mixedWords.reset();
   const std::uint32_t* texel = this->words.data() + 2 * std::size_t{range.firstTriangle};
   for (std::size_t first = 0; first < triangles; first += 64)
   {

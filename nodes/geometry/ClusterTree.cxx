@@ -132,9 +132,10 @@ ClusterTree::ClusterTree(const std::vector<PlaneBlock>& planes, const EdgeTable&
     {
       bounds.add(planes[word], bit);
     }
-    for (std::uint32_t outer = edges.outerBegins[word]; outer < edges.outerBegins[word + 1]; ++outer)
+    const EdgeTable::Record record = edges.getRecord(word);
+    for (std::size_t outer = 0; outer < record.outer; ++outer)
     {
-      const std::uint32_t triangle = edges.outerSecond[outer];
+      const std::uint32_t triangle = record.outerSecond[outer];
       bounds.add(planes[triangle >> 6], triangle & 63u);
     }
     this->store(0, word, bounds);

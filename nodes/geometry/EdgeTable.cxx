@@ -1,7 +1,6 @@
 #include "EdgeTable.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "SEDGeometry.h"
 
@@ -20,87 +19,103 @@ std::uint32_t findSide(const std::array<std::uint32_t, 3>& corners,
   return !isEnd(corners[2]) ? 0 : !isEnd(corners[0]) ? 1 : 2;
 }
 
-/// Turns counts into begins: entry i becomes the sum of the entries before it.
-void sumUp(std::vector<std::uint32_t>& counts)
-{
-  std::uint32_t sum = 0;
-  for (std::uint32_t& count : counts)
-  {
-    sum += std::exchange(count, sum);
-  }
-}
-
-/// After filling, each begin stands where its successor stood.
-void shiftBack(std::vector<std::uint32_t>& begins)
-{
-  std::copy_backward(begins.begin(), begins.end() - 1, begins.end());
-  begins.front() = 0;
-}
-
 EdgeTable::Code makeCode(std::uint32_t triangle, std::uint32_t side)
 {
   return static_cast<EdgeTable::Code>(side << 6 | (triangle & 63u));
+}
+
+/// An edge as a side of the lower one of its triangles; the other one may be noTriangle.
+struct OrderedEdge
+{
+  std::uint32_t first;
+  std::uint32_t side;
+  std::uint32_t second;
+
+  OrderedEdge(const Edge& edge, const std::vector<std::array<std::uint32_t, 3>>& triangles)
+      : first(std::min(edge.triangles[0], edge.triangles[1])),
+        side(findSide(triangles[first], edge.vertices)),
+        second(std::max(edge.triangles[0], edge.triangles[1]))
+  {
+  }
+
+  bool isBorder() const { return this->second == noTriangle; }
+  bool isInner() const { return this->first >> 6 == this->second >> 6; }
+};
+
+/// Counts the edges of each word, and lays out their records.
+void layOut(const std::vector<Edge>& edges, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+            EdgeTable& table)
+{
+  constexpr std::size_t readBeyond = 32;
+  table.words.assign((triangles.size() + 63) / 64, {});
+  std::size_t borders = 0;
+  for (const Edge& edge : edges)
+  {
+    const OrderedEdge ordered(edge, triangles);
+    EdgeTable::Word& word = table.words[ordered.first >> 6];
+    borders += ordered.isBorder() ? 1 : 0;
+    if (!ordered.isBorder())
+    {
+      ++(ordered.isInner() ? word.inner : word.outer);
+    }
+  }
+  std::uint32_t place = 0;
+  for (EdgeTable::Word& word : table.words)
+  {
+    word.place = place;
+    place += word.outer + (word.outer + 2u * word.inner + 3u) / 4u;
+    table.innerEdges += word.inner;
+    table.outerEdges += word.outer;
+  }
+  table.data.assign(place + readBeyond / 4, 0);
+  table.borders.reserve(borders);
 }
 
 } // namespace
 
 std::size_t EdgeTable::getMemorySize() const
 {
-  return 4 * (this->innerBegins.capacity() + this->outerBegins.capacity() + this->outerSecond.capacity() +
-              this->borders.capacity()) +
-         this->innerFirst.capacity() + this->innerSecond.capacity() + this->outerFirst.capacity();
+  return sizeof(Word) * this->words.capacity() + 4 * (this->data.capacity() + this->borders.capacity());
 }
 
 EdgeTable makeEdgeTable(const std::vector<Edge>& edges,
                         const std::vector<std::array<std::uint32_t, 3>>& triangles)
 {
-  const std::size_t words = (triangles.size() + 63) / 64;
   EdgeTable table;
-  table.innerBegins.assign(words + 1, 0);
-  table.outerBegins.assign(words + 1, 0);
-  std::size_t borders = 0;
+  layOut(edges, triangles, table);
+  // How many edges of each word are in their place.
+  struct Filled
+  {
+    std::uint8_t inner = 0;
+    std::uint8_t outer = 0;
+  };
+  std::vector<Filled> filled(table.words.size());
   for (const Edge& edge : edges)
   {
-    const std::uint32_t first = std::min(edge.triangles[0], edge.triangles[1]);
-    const std::uint32_t second = std::max(edge.triangles[0], edge.triangles[1]);
-    borders += second == noTriangle ? 1 : 0;
-    if (second != noTriangle)
+    const OrderedEdge ordered(edge, triangles);
+    if (ordered.isBorder())
     {
-      ++(first >> 6 == second >> 6 ? table.innerBegins : table.outerBegins)[first >> 6];
+      table.borders.push_back(3 * ordered.first + ordered.side);
+      continue;
     }
-  }
-  sumUp(table.innerBegins);
-  sumUp(table.outerBegins);
-  table.innerFirst.assign(table.innerBegins.back() + EdgeTable::padding, 0);
-  table.innerSecond.assign(table.innerBegins.back() + EdgeTable::padding, 0);
-  table.outerFirst.assign(table.outerBegins.back() + EdgeTable::padding, 0);
-  table.outerSecond.assign(table.outerBegins.back() + EdgeTable::padding, 0);
-  table.borders.reserve(borders);
-
-  for (const Edge& edge : edges)
-  {
-    const std::uint32_t first = std::min(edge.triangles[0], edge.triangles[1]);
-    const std::uint32_t second = std::max(edge.triangles[0], edge.triangles[1]);
-    const std::uint32_t side = findSide(triangles[first], edge.vertices);
-    if (second == noTriangle)
+    const EdgeTable::Word& word = table.words[ordered.first >> 6];
+    Filled& next = filled[ordered.first >> 6];
+    std::uint32_t* outerSecond = table.data.data() + word.place;
+    auto* codes = reinterpret_cast<EdgeTable::Code*>(outerSecond + word.outer);
+    if (ordered.isInner())
     {
-      table.borders.push_back(3 * first + side);
-    }
-    else if (first >> 6 == second >> 6)
-    {
-      const std::uint32_t place = table.innerBegins[first >> 6]++;
-      table.innerFirst[place] = makeCode(first, side);
-      table.innerSecond[place] = makeCode(second, findSide(triangles[second], edge.vertices));
+      codes[word.outer + next.inner] = makeCode(ordered.first, ordered.side);
+      codes[word.outer + word.inner + next.inner] =
+          makeCode(ordered.second, findSide(triangles[ordered.second], edge.vertices));
+      ++next.inner;
     }
     else
     {
-      const std::uint32_t place = table.outerBegins[first >> 6]++;
-      table.outerFirst[place] = makeCode(first, side);
-      table.outerSecond[place] = second;
+      codes[next.outer] = makeCode(ordered.first, ordered.side);
+      outerSecond[next.outer] = ordered.second;
+      ++next.outer;
     }
   }
-  shiftBack(table.innerBegins);
-  shiftBack(table.outerBegins);
   std::sort(table.borders.begin(), table.borders.end());
   return table;
 }
@@ -117,16 +132,6 @@ EdgeList::Iterator EdgeList::begin() const
   return first;
 }
 
-Edge EdgeList::operator[](std::size_t index) const
-{
-  const EdgeTable& table = this->geometry.getEdgeTable();
-  const bool inner = index < table.countInner();
-  const std::vector<std::uint32_t>& begins = inner ? table.innerBegins : table.outerBegins;
-  const std::size_t place = inner ? index : index - table.countInner();
-  const auto after = std::upper_bound(begins.begin(), begins.end(), place);
-  return this->makeEdge(index, static_cast<std::size_t>(after - begins.begin()) - 1);
-}
-
 std::vector<Edge> EdgeList::toVector() const
 {
   std::vector<Edge> edges;
@@ -138,40 +143,29 @@ std::vector<Edge> EdgeList::toVector() const
   return edges;
 }
 
-Edge EdgeList::makeEdge(std::size_t index, std::size_t word) const
-{
-  const EdgeTable& table = this->geometry.getEdgeTable();
-  const auto base = static_cast<std::uint32_t>(64 * word);
-  std::array<std::uint32_t, 2> triangles{};
-  std::uint32_t side = 0;
-  if (index < table.countInner())
-  {
-    triangles = {base + EdgeTable::triangleOf(table.innerFirst[index]),
-                 base + EdgeTable::triangleOf(table.innerSecond[index])};
-    side = EdgeTable::sideOf(table.innerFirst[index]);
-  }
-  else if (const std::size_t outer = index - table.countInner(); outer < table.countOuter())
-  {
-    triangles = {base + EdgeTable::triangleOf(table.outerFirst[outer]), table.outerSecond[outer]};
-    side = EdgeTable::sideOf(table.outerFirst[outer]);
-  }
-  else
-  {
-    const std::uint32_t border = table.borders[outer - table.countOuter()];
-    triangles = {border / 3, noTriangle};
-    side = border % 3;
-  }
-  return {this->geometry.getSide(triangles[0], side), triangles};
-}
-
 Edge EdgeList::Iterator::operator*() const
 {
-  return EdgeList(*this->geometry).makeEdge(this->index, this->word);
+  const EdgeTable& table = this->geometry->getEdgeTable();
+  if (this->word == table.words.size())
+  {
+    const std::uint32_t border = table.borders[this->inWord];
+    return {this->geometry->getSide(border / 3, border % 3), {border / 3, noTriangle}};
+  }
+  const EdgeTable::Record record = table.getRecord(this->word);
+  const auto base = static_cast<std::uint32_t>(64 * this->word);
+  const bool inner = this->inWord < record.inner;
+  const std::size_t outer = this->inWord - record.inner;
+  const EdgeTable::Code code = inner ? record.innerFirst[this->inWord] : record.outerFirst[outer];
+  const std::uint32_t first = base + EdgeTable::triangleOf(code);
+  const std::uint32_t second =
+      inner ? base + EdgeTable::triangleOf(record.innerSecond[this->inWord]) : record.outerSecond[outer];
+  return {this->geometry->getSide(first, EdgeTable::sideOf(code)), {first, second}};
 }
 
 EdgeList::Iterator& EdgeList::Iterator::operator++()
 {
   ++this->index;
+  ++this->inWord;
   this->findWord();
   return *this;
 }
@@ -179,14 +173,12 @@ EdgeList::Iterator& EdgeList::Iterator::operator++()
 /// Walks on to the word that the edge belongs to.
 void EdgeList::Iterator::findWord()
 {
-  const EdgeTable& table = this->geometry->getEdgeTable();
-  const std::size_t inner = table.countInner();
-  const std::vector<std::uint32_t>& begins = this->index < inner ? table.innerBegins : table.outerBegins;
-  const std::size_t place = this->index < inner ? this->index : this->index - inner;
-  this->word = this->index == inner ? 0 : this->word;
-  while (this->word + 1 < begins.size() && begins[this->word + 1] <= place)
+  const std::vector<EdgeTable::Word>& words = this->geometry->getEdgeTable().words;
+  while (this->word < words.size() &&
+         this->inWord == std::size_t{words[this->word].inner} + words[this->word].outer)
   {
     ++this->word;
+    this->inWord = 0;
   }
 }
 

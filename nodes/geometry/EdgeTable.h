@@ -27,38 +27,83 @@ struct Edge
 /// triangle: side s runs between the corners s and (s + 1) % 3 in raster order. Inner edges have both
 /// triangles in one word, outer edges in two.
 ///
-/// @par Memory  2 bytes an inner, 5 an outer, 4 a border edge, and 8 bytes a word: about 4 bytes a triangle
+/// @par Memory  2 bytes an inner, 5 an outer, 4 a border edge, and 10 bytes a word: about 4 bytes a triangle
 /// of a mesh whose triangles are sorted into patches
 struct EdgeTable
 {
   /// The number of a triangle in its word, plus 64 times a side of it.
   using Code = std::uint8_t;
 
-  /// So many entries, all zero, stand after those of the last inner and the last outer edge.
-  static constexpr std::size_t padding = 32;
-
   static std::uint32_t triangleOf(Code code) { return code & 63u; }
   static std::uint32_t sideOf(Code code) { return code >> 6; }
 
-  /// @name  Entries [begins[word], begins[word + 1]) belong to the word
-  /// @{
-  std::vector<std::uint32_t> innerBegins;
-  std::vector<Code> innerFirst;
-  std::vector<Code> innerSecond; ///< the same edge as a side of the second triangle
-  std::vector<std::uint32_t> outerBegins;
-  std::vector<Code> outerFirst;
-  std::vector<std::uint32_t> outerSecond; ///< triangle
-  /// @}
+  /// The edges of one word. So many bytes may be read from each array: those of its edges, and 32 more.
+  struct Record
+  {
+    std::size_t inner; ///< edges; 96 at most
+    std::size_t outer; ///< edges; 192 at most
+    const Code* innerFirst;
+    const Code* innerSecond; ///< the same edges as sides of their second triangles
+    const Code* outerFirst;
+    const std::uint32_t* outerSecond; ///< triangles
+  };
 
+  Record getRecord(std::size_t word) const
+  {
+    const Word& at = this->words[word];
+    const std::uint32_t* outerSecond = this->data.data() + at.place;
+    const auto* codes = reinterpret_cast<const Code*>(outerSecond + at.outer);
+    return {at.inner, at.outer, codes + at.outer, codes + at.outer + at.inner, codes, outerSecond};
+  }
+
+  /// Where a record lies; see getRecord().
+  struct Word
+  {
+    std::uint32_t place; ///< in data
+    std::uint8_t inner;
+    std::uint8_t outer;
+  };
+
+  std::vector<Word> words;
+  std::vector<std::uint32_t> data;    ///< records one after the other, so that each is in few cache lines
   std::vector<std::uint32_t> borders; ///< 3 * triangle + side, rising
+  std::size_t innerEdges = 0;
+  std::size_t outerEdges = 0;
 
-  std::size_t countInner() const { return this->innerBegins.empty() ? 0 : this->innerBegins.back(); }
-  std::size_t countOuter() const { return this->outerBegins.empty() ? 0 : this->outerBegins.back(); }
-  std::size_t countEdges() const { return this->countInner() + this->countOuter() + this->borders.size(); }
+  std::size_t countEdges() const { return this->innerEdges + this->outerEdges + this->borders.size(); }
 
   /// Bytes held by the arrays.
   std::size_t getMemorySize() const;
 };
+
+/// Calls visit(first, side, second) for every edge in the order of EdgeList: its lower triangle, which side
+/// of that it is, and the other triangle or noTriangle.
+///
+/// @par Cost  O(edges); less than an EdgeList, which looks up vertices
+template <class Visit>
+void forEachEdge(const EdgeTable& table, Visit&& visit)
+{
+  for (std::size_t word = 0; word < table.words.size(); ++word)
+  {
+    const EdgeTable::Record record = table.getRecord(word);
+    const auto base = static_cast<std::uint32_t>(64 * word);
+    for (std::size_t i = 0; i < record.inner; ++i)
+    {
+      const EdgeTable::Code code = record.innerFirst[i];
+      visit(base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code),
+            base + EdgeTable::triangleOf(record.innerSecond[i]));
+    }
+    for (std::size_t i = 0; i < record.outer; ++i)
+    {
+      const EdgeTable::Code code = record.outerFirst[i];
+      visit(base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code), record.outerSecond[i]);
+    }
+  }
+  for (const std::uint32_t border : table.borders)
+  {
+    visit(border / 3, border % 3, noTriangle);
+  }
+}
 
 /// @param edges      every edge once
 /// @param triangles  corners in raster order
@@ -69,9 +114,7 @@ EdgeTable makeEdgeTable(const std::vector<Edge>& edges,
 class SEDGeometry;
 
 /// The edges of a geometry, one by one: a range that makes each Edge as it is asked for. Lasts as long as the
-/// geometry.
-///
-/// First the inner edges, then the outer ones, then the borders.
+/// geometry. Those of each word, inner before outer ones, then the borders.
 class EdgeList
 {
 public:
@@ -98,7 +141,8 @@ public:
 
     const SEDGeometry* geometry;
     std::size_t index;
-    std::size_t word = 0; ///< the edge belongs to it, unless it is a border
+    std::size_t word = 0;   ///< the edge belongs to it; behind the last one for borders
+    std::size_t inWord = 0; ///< number in the word, or of the border
   };
 
   explicit EdgeList(const SEDGeometry& theGeometry) : geometry(theGeometry) {}
@@ -107,16 +151,10 @@ public:
   Iterator begin() const;
   Iterator end() const { return Iterator(this->geometry, this->size()); }
 
-  /// @pre       index < size()
-  /// @par Cost  O(log(triangles)); walking is O(1) an edge
-  Edge operator[](std::size_t index) const;
-
   /// All edges in an array, for looking them up in any order. Cost: O(edges).
   std::vector<Edge> toVector() const;
 
 private:
-  Edge makeEdge(std::size_t index, std::size_t word) const;
-
   const SEDGeometry& geometry;
 };
 

@@ -102,6 +102,7 @@ LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC
 
 /// The same, in the memory that @p facing has.
 void computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing);
+
 /// Clears both bits of every triangle with a corner that single precision cannot tell from a point light.
 ///
 /// Such a corner has no direction to be extruded in, so its triangles must not cast: they count as having the

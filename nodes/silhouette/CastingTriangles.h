@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include "FacingBits.h"
 #include "SEDGeometry.h"
@@ -60,6 +62,22 @@ void forEachCastingTriangle(const SEDGeometry& geometry, const LightFacing& faci
   if (casting == Casting::EveryTriangle)
   {
     forEachTriangle(facing.away, among, [&](std::uint32_t triangle) { visitTurned(triangle, true); });
+  }
+}
+
+/// Adds a side of a triangle to a silhouette, unless @p runs is 0.
+///
+/// @param runs  how often more casting triangles, each turned to the light, run through the side as the
+///              oriented triangle does than against it
+inline void addSide(const SEDGeometry& geometry, std::uint32_t triangle, std::uint32_t side, int runs,
+                    std::vector<SilhouetteEdge>& silhouette)
+{
+  if (runs != 0)
+  {
+    // Looked up, as which way an edge runs is nothing that a processor could foresee.
+    const std::array<std::uint32_t, 2> ends = geometry.getSide(triangle, side);
+    const std::size_t from = runs < 0 ? 1 : 0;
+    silhouette.push_back({ends[from], ends[1 - from], static_cast<std::uint32_t>(std::abs(runs))});
   }
 }
 

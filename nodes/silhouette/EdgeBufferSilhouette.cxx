@@ -65,25 +65,10 @@ std::vector<SilhouetteEdge> EdgeBufferSilhouette::find(const SEDGeometry& geomet
 {
   static const std::array<int, 16> runsOf = makeRuns();
   const std::vector<std::uint8_t> buffer = fillBuffer(geometry, facing, casting);
-  const EdgeList edges = geometry.getEdges();
   std::vector<SilhouetteEdge> silhouette;
-  for (std::size_t edge = 0; edge < buffer.size(); ++edge)
-  {
-    if ((buffer[edge] & (frontBit | backBit)) == 0)
-    {
-      continue;
-    }
-    const std::array<std::uint32_t, 2> vertices = edges[edge].vertices;
-    const int runs = runsOf[buffer[edge]];
-    if (runs > 0)
-    {
-      silhouette.push_back({vertices[0], vertices[1], static_cast<std::uint32_t>(runs)});
-    }
-    else if (runs < 0)
-    {
-      silhouette.push_back({vertices[1], vertices[0], static_cast<std::uint32_t>(-runs)});
-    }
-  }
+  auto entry = buffer.begin();
+  forEachEdge(geometry.getEdgeTable(), [&](std::uint32_t first, std::uint32_t side, std::uint32_t)
+              { addSide(geometry, first, side, runsOf[*entry++], silhouette); });
   return silhouette;
 }
 

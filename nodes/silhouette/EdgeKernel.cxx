@@ -4,6 +4,7 @@
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #define SHADOW_HAS_AVX2
+#define SHADOW_TARGET_AVX2 __attribute__((target("avx2")))
 #include <immintrin.h>
 #endif
 
@@ -28,81 +29,78 @@ std::size_t findLowest(std::uint64_t word)
 #endif
 }
 
+using Record = EdgeTable::Record;
+using Found = std::vector<DifferingEdge>;
+
 /// Appends the inner edges begin + i of a word for each bit i.
-void appendInner(const EdgeTable& table, std::uint64_t differing, std::size_t word, std::size_t begin,
-                 std::vector<DifferingEdge>& found)
+void appendInner(const Record& record, std::uint64_t differing, std::size_t word, std::size_t begin,
+                 Found& found)
 {
   const auto base = static_cast<std::uint32_t>(64 * word);
   for (; differing != 0; differing &= differing - 1)
   {
     const std::size_t edge = begin + findLowest(differing);
-    const EdgeTable::Code code = table.innerFirst[edge];
+    const EdgeTable::Code code = record.innerFirst[edge];
     found.push_back({base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code),
-                     base + EdgeTable::triangleOf(table.innerSecond[edge])});
+                     base + EdgeTable::triangleOf(record.innerSecond[edge])});
   }
 }
 
 /// The same for outer edges.
-void appendOuter(const EdgeTable& table, std::uint64_t differing, std::size_t word, std::size_t begin,
-                 std::vector<DifferingEdge>& found)
+void appendOuter(const Record& record, std::uint64_t differing, std::size_t word, std::size_t begin,
+                 Found& found)
 {
   const auto base = static_cast<std::uint32_t>(64 * word);
   for (; differing != 0; differing &= differing - 1)
   {
     const std::size_t edge = begin + findLowest(differing);
-    const EdgeTable::Code code = table.outerFirst[edge];
-    found.push_back({base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code), table.outerSecond[edge]});
+    const EdgeTable::Code code = record.outerFirst[edge];
+    found.push_back({base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code), record.outerSecond[edge]});
   }
 }
 
-void compareInnerScalar(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
-                        std::size_t firstWord, std::size_t endWord, std::vector<DifferingEdge>& found)
+/// @name  The edges of one word. For all instruction sets the same
+/// @{
+
+void compareInnerScalar(const Record& record, std::size_t word, const std::uint64_t* towards,
+                        const std::uint64_t* away, Found& found)
 {
-  for (std::size_t word = firstWord; word < endWord; ++word)
+  const std::uint64_t up = towards[word];
+  const std::uint64_t down = away != nullptr ? away[word] : 0;
+  for (std::size_t begin = 0; begin < record.inner; begin += 64)
   {
-    const std::uint64_t up = towards[word];
-    const std::uint64_t down = away != nullptr ? away[word] : 0;
-    const std::size_t end = table.innerBegins[word + 1];
-    for (std::size_t begin = table.innerBegins[word]; begin < end; begin += 64)
+    const std::size_t count = std::min<std::size_t>(64, record.inner - begin);
+    std::uint64_t differing = 0;
+    for (std::size_t edge = 0; edge < count; ++edge)
     {
-      const std::size_t count = std::min<std::size_t>(64, end - begin);
-      std::uint64_t differing = 0;
-      for (std::size_t edge = 0; edge < count; ++edge)
-      {
-        const std::uint32_t first = EdgeTable::triangleOf(table.innerFirst[begin + edge]);
-        const std::uint32_t second = EdgeTable::triangleOf(table.innerSecond[begin + edge]);
-        const std::uint64_t different =
-            ((up >> first) ^ (up >> second)) | ((down >> first) ^ (down >> second));
-        differing |= (different & 1u) << edge;
-      }
-      appendInner(table, differing, word, begin, found);
+      const std::uint32_t first = EdgeTable::triangleOf(record.innerFirst[begin + edge]);
+      const std::uint32_t second = EdgeTable::triangleOf(record.innerSecond[begin + edge]);
+      const std::uint64_t different = ((up >> first) ^ (up >> second)) | ((down >> first) ^ (down >> second));
+      differing |= (different & 1u) << edge;
     }
+    appendInner(record, differing, word, begin, found);
   }
 }
 
-void compareOuterScalar(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
-                        std::size_t firstWord, std::size_t endWord, std::vector<DifferingEdge>& found)
+void compareOuterScalar(const Record& record, std::size_t word, const std::uint64_t* towards,
+                        const std::uint64_t* away, Found& found)
 {
-  for (std::size_t word = firstWord; word < endWord; ++word)
+  for (std::size_t begin = 0; begin < record.outer; begin += 64)
   {
-    const std::size_t end = table.outerBegins[word + 1];
-    for (std::size_t begin = table.outerBegins[word]; begin < end; begin += 64)
+    const std::size_t count = std::min<std::size_t>(64, record.outer - begin);
+    std::uint64_t differing = 0;
+    for (std::size_t edge = 0; edge < count; ++edge)
     {
-      const std::size_t count = std::min<std::size_t>(64, end - begin);
-      std::uint64_t differing = 0;
-      for (std::size_t edge = 0; edge < count; ++edge)
+      const std::uint32_t first = EdgeTable::triangleOf(record.outerFirst[begin + edge]);
+      const std::uint32_t second = record.outerSecond[begin + edge];
+      std::uint64_t different = (towards[word] >> first) ^ (towards[second >> 6] >> (second & 63u));
+      if (away != nullptr)
       {
-        const std::uint32_t first = EdgeTable::triangleOf(table.outerFirst[begin + edge]);
-        const std::uint32_t second = table.outerSecond[begin + edge];
-        std::uint64_t different = (towards[word] >> first) ^ (towards[second >> 6] >> (second & 63u));
-        if (away != nullptr)
-        {
-          different |= (away[word] >> first) ^ (away[second >> 6] >> (second & 63u));
-        }
-        differing |= (different & 1u) << edge;
+        different |= (away[word] >> first) ^ (away[second >> 6] >> (second & 63u));
       }
-      appendOuter(table, differing, word, begin, found);
+      differing |= (different & 1u) << edge;
     }
+    appendOuter(record, differing, word, begin, found);
   }
 }
 
@@ -122,32 +120,26 @@ __attribute__((target("avx2"), always_inline)) inline __m256i findClear(__m256i 
 }
 
 /// 32 edges at a time, those read beyond the end of the word left out.
-__attribute__((target("avx2"))) void compareInnerAvx2(const EdgeTable& table, const std::uint64_t* towards,
-                                                      const std::uint64_t* away, std::size_t firstWord,
-                                                      std::size_t endWord, std::vector<DifferingEdge>& found)
+SHADOW_TARGET_AVX2 inline void compareInnerAvx2(const Record& record, std::size_t word,
+                                                const std::uint64_t* towards, const std::uint64_t* away,
+                                                Found& found)
 {
-  for (std::size_t word = firstWord; word < endWord; ++word)
+  const __m256i up = _mm256_set1_epi64x(static_cast<long long>(towards[word]));
+  for (std::size_t begin = 0; begin < record.inner; begin += 32)
   {
-    const __m256i up = _mm256_set1_epi64x(static_cast<long long>(towards[word]));
-    const std::size_t end = table.innerBegins[word + 1];
-    for (std::size_t begin = table.innerBegins[word]; begin < end; begin += 32)
+    const __m256i first = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerFirst + begin));
+    const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerSecond + begin));
+    __m256i different = _mm256_xor_si256(findClear(first, up), findClear(second, up));
+    if (away != nullptr)
     {
-      const auto* firsts = reinterpret_cast<const __m256i*>(table.innerFirst.data() + begin);
-      const auto* seconds = reinterpret_cast<const __m256i*>(table.innerSecond.data() + begin);
-      const __m256i first = _mm256_loadu_si256(firsts);
-      const __m256i second = _mm256_loadu_si256(seconds);
-      __m256i different = _mm256_xor_si256(findClear(first, up), findClear(second, up));
-      if (away != nullptr)
-      {
-        const __m256i down = _mm256_set1_epi64x(static_cast<long long>(away[word]));
-        different =
-            _mm256_or_si256(different, _mm256_xor_si256(findClear(first, down), findClear(second, down)));
-      }
-      const std::size_t count = end - begin;
-      const std::uint32_t wanted = count < 32 ? (1u << count) - 1 : ~0u;
-      appendInner(table, static_cast<std::uint32_t>(_mm256_movemask_epi8(different)) & wanted, word, begin,
-                  found);
+      const __m256i down = _mm256_set1_epi64x(static_cast<long long>(away[word]));
+      different =
+          _mm256_or_si256(different, _mm256_xor_si256(findClear(first, down), findClear(second, down)));
     }
+    const std::size_t count = record.inner - begin;
+    const std::uint32_t wanted = count < 32 ? (1u << count) - 1 : ~0u;
+    appendInner(record, static_cast<std::uint32_t>(_mm256_movemask_epi8(different)) & wanted, word, begin,
+                found);
   }
 }
 
@@ -167,34 +159,78 @@ findDifferent(__m256i first, __m256i second, const std::uint64_t* bits, std::siz
 }
 
 /// 8 edges at a time, those read beyond the end of the word left out.
-__attribute__((target("avx2"))) void compareOuterAvx2(const EdgeTable& table, const std::uint64_t* towards,
-                                                      const std::uint64_t* away, std::size_t firstWord,
-                                                      std::size_t endWord, std::vector<DifferingEdge>& found)
+SHADOW_TARGET_AVX2 inline void compareOuterAvx2(const Record& record, std::size_t word,
+                                                const std::uint64_t* towards, const std::uint64_t* away,
+                                                Found& found)
 {
-  const __m256i triangle = _mm256_set1_epi32(63);
+  for (std::size_t begin = 0; begin < record.outer; begin += 8)
+  {
+    const __m128i codes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(record.outerFirst + begin));
+    const __m256i first = _mm256_and_si256(_mm256_cvtepu8_epi32(codes), _mm256_set1_epi32(63));
+    const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.outerSecond + begin));
+    const std::size_t count = record.outer - begin;
+    const std::uint32_t wanted = count < 8 ? (1u << count) - 1 : ~0u;
+    // What stands behind the last edge is no triangle: it must not be looked up.
+    const __m256i isEdge =
+        _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(std::min<std::size_t>(count, 8))),
+                           _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i known = _mm256_and_si256(second, isEdge);
+    __m256i different = findDifferent(first, known, towards, word);
+    if (away != nullptr)
+    {
+      different = _mm256_or_si256(different, findDifferent(first, known, away, word));
+    }
+    const int upper = _mm256_movemask_ps(_mm256_castsi256_ps(different));
+    appendOuter(record, static_cast<std::uint32_t>(upper) & wanted, word, begin, found);
+  }
+}
+
+SHADOW_TARGET_AVX2 void compareAllAvx2(const EdgeTable& table, const std::uint64_t* towards,
+                                       const std::uint64_t* away, std::size_t firstWord, std::size_t endWord,
+                                       Found& found)
+{
   for (std::size_t word = firstWord; word < endWord; ++word)
   {
-    const std::size_t end = table.outerBegins[word + 1];
-    for (std::size_t begin = table.outerBegins[word]; begin < end; begin += 8)
-    {
-      const auto* firsts = reinterpret_cast<const __m128i*>(table.outerFirst.data() + begin);
-      const auto* seconds = reinterpret_cast<const __m256i*>(table.outerSecond.data() + begin);
-      const __m256i first = _mm256_and_si256(_mm256_cvtepu8_epi32(_mm_loadl_epi64(firsts)), triangle);
-      const __m256i second = _mm256_loadu_si256(seconds);
-      __m256i different = findDifferent(first, second, towards, word);
-      if (away != nullptr)
-      {
-        different = _mm256_or_si256(different, findDifferent(first, second, away, word));
-      }
-      const std::size_t count = end - begin;
-      const std::uint32_t wanted = count < 8 ? (1u << count) - 1 : ~0u;
-      const int upper = _mm256_movemask_ps(_mm256_castsi256_ps(different));
-      appendOuter(table, static_cast<std::uint32_t>(upper) & wanted, word, begin, found);
-    }
+    const Record record = table.getRecord(word);
+    compareInnerAvx2(record, word, towards, away, found);
+    compareOuterAvx2(record, word, towards, away, found);
+  }
+}
+
+SHADOW_TARGET_AVX2 void compareOuterOfWordsAvx2(const EdgeTable& table, const std::uint64_t* towards,
+                                                const std::uint64_t* away, std::size_t firstWord,
+                                                std::size_t endWord, Found& found)
+{
+  for (std::size_t word = firstWord; word < endWord; ++word)
+  {
+    compareOuterAvx2(table.getRecord(word), word, towards, away, found);
   }
 }
 
 #endif
+
+/// @}
+
+void compareAllScalar(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
+                      std::size_t firstWord, std::size_t endWord, Found& found)
+{
+  for (std::size_t word = firstWord; word < endWord; ++word)
+  {
+    const Record record = table.getRecord(word);
+    compareInnerScalar(record, word, towards, away, found);
+    compareOuterScalar(record, word, towards, away, found);
+  }
+}
+
+void compareOuterOfWordsScalar(const EdgeTable& table, const std::uint64_t* towards,
+                               const std::uint64_t* away, std::size_t firstWord, std::size_t endWord,
+                               Found& found)
+{
+  for (std::size_t word = firstWord; word < endWord; ++word)
+  {
+    compareOuterScalar(table.getRecord(word), word, towards, away, found);
+  }
+}
 
 } // namespace
 
@@ -203,11 +239,11 @@ EdgeKernels getEdgeKernels(InstructionSet set)
 #ifdef SHADOW_HAS_AVX2
   if (set == InstructionSet::Avx2)
   {
-    return {compareInnerAvx2, compareOuterAvx2};
+    return {compareAllAvx2, compareOuterOfWordsAvx2};
   }
 #endif
   static_cast<void>(set);
-  return {compareInnerScalar, compareOuterScalar};
+  return {compareAllScalar, compareOuterOfWordsScalar};
 }
 
 } // namespace shadow

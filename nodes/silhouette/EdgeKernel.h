@@ -27,8 +27,8 @@ using EdgeKernel = void (*)(const EdgeTable& table, const std::uint64_t* towards
 /// @par Cost  reads 2 bytes and two bits an inner edge, 5 bytes and two bits an outer one
 struct EdgeKernels
 {
-  EdgeKernel compareInner;
-  EdgeKernel compareOuter;
+  EdgeKernel compareAll;
+  EdgeKernel compareOuter; ///< no inner edges
 };
 
 EdgeKernels getEdgeKernels(InstructionSet set);

@@ -1,9 +1,8 @@
 #include "EdgeScan.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
 
+#include "CastingTriangles.h"
 #include "EdgeKernel.h"
 #include "Prefetch.h"
 
@@ -38,12 +37,8 @@ constexpr std::size_t farAhead = 8;
 
 void prefetchEdges(const EdgeTable& table, std::uint32_t word)
 {
-  const std::uint32_t inner = table.innerBegins[word];
-  const std::uint32_t outer = table.outerBegins[word];
-  prefetch(table.innerFirst.data() + inner, table.innerBegins[word + 1] - inner);
-  prefetch(table.innerSecond.data() + inner, table.innerBegins[word + 1] - inner);
-  prefetch(table.outerFirst.data() + outer, table.outerBegins[word + 1] - outer);
-  prefetch(table.outerSecond.data() + outer, 4 * (table.outerBegins[word + 1] - outer));
+  const EdgeTable::Record record = table.getRecord(word);
+  prefetch(record.outerSecond, 5 * record.outer + 2 * record.inner);
 }
 
 } // namespace
@@ -66,20 +61,6 @@ int EdgeScan::getSign(std::uint32_t triangle) const
   return this->casting == Casting::LightFacing ? sign : sign - (this->facing.away.test(triangle) ? 1 : 0);
 }
 
-/// Adds an edge when the sum over its triangles of how they run through it, each turned to the light, is not
-/// zero.
-void EdgeScan::add(std::uint32_t first, std::uint32_t side, int sum,
-                   std::vector<SilhouetteEdge>& silhouette) const
-{
-  if (sum != 0)
-  {
-    // Looked up, as which way an edge runs is nothing that a processor could foresee.
-    const std::array<std::uint32_t, 2> ends = this->geometry.getSide(first, side);
-    const std::size_t from = sum < 0 ? 1 : 0;
-    silhouette.push_back({ends[from], ends[1 - from], static_cast<std::uint32_t>(std::abs(sum))});
-  }
-}
-
 /// No inner edge differs where all triangles of the word face alike.
 bool EdgeScan::isUniform(std::uint32_t word) const
 {
@@ -97,8 +78,7 @@ void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
   for (std::size_t first = firstWord; first < endWord; first += atOnce)
   {
     const std::size_t end = std::min(first + atOnce, endWord);
-    kernels.compareInner(table, this->towards, this->away, first, end, differing);
-    kernels.compareOuter(table, this->towards, this->away, first, end, differing);
+    kernels.compareAll(table, this->towards, this->away, first, end, differing);
     this->moveDiffering(differing, silhouette);
   }
 }
@@ -117,18 +97,14 @@ void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
     const std::uint32_t word = words[index];
     if (index + farAhead < words.size())
     {
-      prefetch(&table.innerBegins[words[index + farAhead]], 1);
-      prefetch(&table.outerBegins[words[index + farAhead]], 1);
+      prefetch(&table.words[words[index + farAhead]], sizeof(EdgeTable::Word));
     }
     if (index + ahead < words.size())
     {
       prefetchEdges(table, words[index + ahead]);
     }
-    if (!this->isUniform(word))
-    {
-      kernels.compareInner(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
-    }
-    kernels.compareOuter(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    const EdgeKernel compare = this->isUniform(word) ? kernels.compareOuter : kernels.compareAll;
+    compare(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
     if (differing.size() >= atOnce)
     {
       this->moveDiffering(differing, silhouette);
@@ -148,7 +124,8 @@ void EdgeScan::moveDiffering(std::vector<DifferingEdge>& differing,
       prefetch(&this->geometry.getTriangles()[differing[index + farAhead].first], 1);
     }
     const DifferingEdge& edge = differing[index];
-    this->add(edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second), silhouette);
+    addSide(this->geometry, edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second),
+            silhouette);
   }
   differing.clear();
 }
@@ -157,7 +134,7 @@ void EdgeScan::addBorders(std::vector<SilhouetteEdge>& silhouette) const
 {
   for (const std::uint32_t border : this->geometry.getEdgeTable().borders)
   {
-    this->add(border / 3, border % 3, this->getSign(border / 3), silhouette);
+    addSide(this->geometry, border / 3, border % 3, this->getSign(border / 3), silhouette);
   }
 }
 

@@ -33,7 +33,6 @@ public:
 
 private:
   int getSign(std::uint32_t triangle) const;
-  void add(std::uint32_t first, std::uint32_t side, int sum, std::vector<SilhouetteEdge>& silhouette) const;
   void moveDiffering(std::vector<DifferingEdge>& differing, std::vector<SilhouetteEdge>& silhouette) const;
   bool isUniform(std::uint32_t word) const;
 

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "CastingTriangles.h"
+
 namespace shadow
 {
 
@@ -17,20 +19,20 @@ public:
   {
   }
 
-  /// How many more run through the edge forwards than backwards. Two neighbours that both face the light
-  /// cancel, so that exactly one of them leaves 1 or -1.
-  int count(const Edge& edge) const
+  /// How many more run through the edge as @p first does than against it. Two neighbours that both face the
+  /// light cancel, so that exactly one of them leaves 1 or -1.
+  int count(std::uint32_t first, std::uint32_t second) const
   {
-    int forwards = this->visible(edge.triangles[0]);
+    int forwards = this->visible(first);
     int backwards = 0;
-    if (edge.triangles[1] != noTriangle)
+    if (second != noTriangle)
     {
-      backwards += this->visible(edge.triangles[1]);
+      backwards += this->visible(second);
     }
     if (this->everyTriangle)
     {
-      backwards += this->hidden(edge.triangles[0]);
-      forwards += edge.triangles[1] != noTriangle ? this->hidden(edge.triangles[1]) : 0;
+      backwards += this->hidden(first);
+      forwards += second != noTriangle ? this->hidden(second) : 0;
     }
     return forwards - backwards;
   }
@@ -51,18 +53,8 @@ std::vector<SilhouetteEdge> VisibleNonVisibleSilhouette::find(const SEDGeometry&
 {
   const NeighbourCounter neighbours(facing, casting);
   std::vector<SilhouetteEdge> silhouette;
-  for (const Edge& edge : geometry.getEdges())
-  {
-    const int runs = neighbours.count(edge);
-    if (runs > 0)
-    {
-      silhouette.push_back({edge.vertices[0], edge.vertices[1], static_cast<std::uint32_t>(runs)});
-    }
-    else if (runs < 0)
-    {
-      silhouette.push_back({edge.vertices[1], edge.vertices[0], static_cast<std::uint32_t>(-runs)});
-    }
-  }
+  forEachEdge(geometry.getEdgeTable(), [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)
+              { addSide(geometry, first, side, neighbours.count(first, second), silhouette); });
   return silhouette;
 }
 

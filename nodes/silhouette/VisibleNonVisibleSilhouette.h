@@ -12,7 +12,7 @@ namespace shadow
 /// left is close to BruteForceSilhouette. Where every triangle casts, those that face away count as well,
 /// turned over.
 ///
-/// @par Cost    O(edges); reads 16 bytes and two bits an edge
+/// @par Cost    O(edges); reads 2 to 5 bytes and two bits an edge
 /// @par Source  Kolivand & Sunar 2011, "Hybrid Silhouette Detection for Real-Time Shadow Volume", chapter IV
 class VisibleNonVisibleSilhouette : public SilhouetteFinder
 {

@@ -69,8 +69,7 @@ std::size_t countBytes(const SEDGeometry& geometry)
   const shadow::EdgeTable& edges = geometry.getEdgeTable();
   const std::size_t words = geometry.getPlaneBlocks().size();
   // Planes; two words of bits written and one read; the table of edges.
-  return words * sizeof(shadow::PlaneBlock) + 24 * words + 2 * edges.countInner() + 5 * edges.countOuter() +
-         4 * edges.borders.size() + 8 * words;
+  return words * sizeof(shadow::PlaneBlock) + 24 * words + edges.getMemorySize();
 }
 
 void setRates(benchmark::State& state, std::size_t triangles, std::size_t bytes)

@@ -134,8 +134,7 @@ TEST(InstructionSets, AnyFacing_GiveTheSameEdges)
         std::vector<DifferingEdge> found;
         const EdgeKernels kernels = getEdgeKernels(set);
         const std::uint64_t* second = both ? away.data() : nullptr;
-        kernels.compareInner(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
-        kernels.compareOuter(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
+        kernels.compareAll(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
         ASSERT_EQ(found.size(), expected.size()) << static_cast<int>(set);
         for (DifferingEdge& edge : found)
         {
@@ -147,25 +146,6 @@ TEST(InstructionSets, AnyFacing_GiveTheSameEdges)
             << static_cast<int>(set);
       }
     }
-  }
-}
-
-TEST(EdgeList, EachEdgeByItsNumber_IsTheOneWalkedTo)
-{
-  std::vector<NamedMesh> meshes = makeAllMeshes();
-  meshes.push_back({"fine torus", makeTorus(1.0, 0.4, 50, 40)});
-  for (const NamedMesh& mesh : meshes)
-  {
-    SCOPED_TRACE(mesh.name);
-    const SEDGeometry geometry = build(mesh.soup);
-    std::size_t index = 0;
-    for (const Edge& edge : geometry.getEdges())
-    {
-      const Edge same = geometry.getEdges()[index++];
-      EXPECT_EQ(same.vertices, edge.vertices);
-      EXPECT_EQ(same.triangles, edge.triangles);
-    }
-    EXPECT_EQ(index, geometry.getEdges().size());
   }
 }
 
