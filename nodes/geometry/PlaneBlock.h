@@ -11,7 +11,7 @@ namespace shadow
 /// Planes of the 64 triangles of one word of FacingBits: dot((x, y, z), p) + offset > 0 in front of them, for
 /// p relative to the geometry's origin and in units of its reach.
 ///
-/// Each plane is scaled so that the largest of |x|, |y|, |z| lies in [1/2, 1); then |offset| is below 1. A
+/// The normals have unit length, so that those of a smooth patch are nearly equal, and |offset| is below 1. A
 /// coordinate is off by less than 1.5 * 2^-24. A triangle whose plane is not known as well as that, one
 /// without area above all, and one that is not there have a plane of zeros: it decides nothing.
 struct PlaneBlock

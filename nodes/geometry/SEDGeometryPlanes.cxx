@@ -100,9 +100,7 @@ void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle)
   {
     return;
   }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const double factor = std::ldexp(1.0, -exponent);
+  const double factor = 1.0 / glm::length(plane.normal);
   PlaneBlock& block = this->geometry.planeBlocks[triangle / PlaneBlock::triangles];
   const std::size_t slot = PlaneBlock::slotOf(triangle % PlaneBlock::triangles);
   block.x[slot] = static_cast<float>(plane.normal.x * factor);
