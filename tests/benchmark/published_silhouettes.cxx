@@ -104,11 +104,12 @@ void indexedForm(benchmark::State& state, const SEDGeometry& geometry, Silhouett
 {
   CirclingLight light(geometry);
   const auto finder = makeSilhouetteFinder(method);
+  LightFacing facing;
   std::size_t edges = 0;
   for (auto _ : state)
   {
     const glm::dvec4 lightMC = light.next();
-    const LightFacing facing = computeFacing(geometry, lightMC);
+    finder->face(geometry, lightMC, facing);
     const Casting casting = likeThePaper ? Casting::LightFacing : chooseCasting(geometry, lightMC);
     edges = finder->find(geometry, facing, casting).size();
   }
@@ -178,7 +179,7 @@ void registerIndexed(const std::string& name, const std::shared_ptr<const SEDGeo
 {
   for (const SilhouetteMethod method :
        {SilhouetteMethod::Triangular, SilhouetteMethod::VisibleNonVisible, SilhouetteMethod::Hybrid,
-        SilhouetteMethod::EdgeBuffer, SilhouetteMethod::BruteForce})
+        SilhouetteMethod::EdgeBuffer, SilhouetteMethod::BruteForce, SilhouetteMethod::Hierarchical})
   {
     benchmark::RegisterBenchmark(("Silhouette/" + name + "/" + toString(method) + "/indexed").c_str(),
                                  [geometry, method, likeThePaper](auto& state)
