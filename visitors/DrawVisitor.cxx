@@ -39,8 +39,8 @@ void DrawVisitor::drawGeometry(const SEDGeode& geode, const PathState& path)
   SEDGeometryDrawable& drawable = this->pass.drawables->getGeometry(geode.getSharedGeometry());
   const ReachableBitsBuffer& reachableBits =
       this->pass.drawables->getReachableBits(path, drawable.getVertexCount());
-  drawable.drawPrePass(this->pass.state, this->pass.program, &reachableBits, this->getFaceCulling(),
-                       mirrored);
+  const FaceCulling hidden = path.hiddenSide == FaceCulling::None ? this->getFaceCulling() : path.hiddenSide;
+  drawable.drawPrePass(this->pass.state, this->pass.program, &reachableBits, hidden, mirrored);
   this->counts.geometry += geode.getGeometry().getTriangles().size();
 }
 

@@ -14,6 +14,22 @@ namespace shadow
 namespace
 {
 
+void markSide(const SEDGeometry& geometry, PathState& path)
+{
+  path.reachableMarked = path.marked;
+  if (path.marked.bit == 0)
+  {
+    return;
+  }
+  const FacingBits& inputReversed = geometry.getInputReversed();
+  for (std::size_t triangle = 0; triangle < path.reachableBits.size(); ++triangle)
+  {
+    const bool rasterFront = path.marked.inputFront != inputReversed.test(triangle);
+    glm::uvec2& bits = path.reachableBits[triangle];
+    (rasterFront ? bits.x : bits.y) &= ~path.marked.bit;
+  }
+}
+
 // Raster-front and raster-back word of every triangle. Lights that are not in the list reach everything.
 void composeReachableBits(const SEDGeometry& geometry, const std::vector<Light>& lights, PathState& path)
 {
@@ -23,6 +39,7 @@ void composeReachableBits(const SEDGeometry& geometry, const std::vector<Light>&
     shadowed |= path.lights[light.index].faced ? 1u << static_cast<unsigned>(light.index) : 0u;
   }
   path.reachableBits.assign(geometry.getTriangles().size(), glm::uvec2(~shadowed));
+  markSide(geometry, path);
   const FacingBits& reversed = geometry.getReversed();
   for (const Light& light : lights)
   {
@@ -83,7 +100,7 @@ void SEDVisitor::apply(SEDGeode& geode)
 void SEDVisitor::face(SEDGeode& geode, PathState& path)
 {
   const SEDGeometry& geometry = geode.getGeometry();
-  bool facingChanged = path.reachableRevision == 0;
+  bool facingChanged = path.reachableRevision == 0 || !(path.marked == path.reachableMarked);
   for (auto entry = path.lights.begin(); entry != path.lights.end();)
   {
     const bool known = std::any_of(this->lights.begin(), this->lights.end(),

@@ -35,7 +35,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
     const char* switches;
     const char* geometry = "";
   };
-  static const std::array<Sources, 15> stages = {
+  static const std::array<Sources, 16> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -44,6 +44,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
       Sources{shaders::screen_vert, shaders::mask_frag,
               "#extension GL_ARB_sample_shading : require\n"
               "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTISAMPLE\n"},
+      Sources{shaders::screen_vert, shaders::back_frag, ""},
       Sources{shaders::screen_vert, shaders::resolve_frag, ""},
       Sources{shaders::facing_vert, shaders::facing_frag, ""},
       Sources{shaders::surface_vert, shaders::prepass_frag, ""},

@@ -22,6 +22,7 @@ public:
     MaskFromStencil,
     MaskFromColor,
     MaskFromSamples, ///< the same with several samples a pixel
+    BackSeen,
     Resolve,
     Facing, ///< parallel does not matter
     // Where the facing is known to the GPU only, see shaders/facingSource.glsl:

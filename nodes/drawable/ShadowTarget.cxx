@@ -160,35 +160,62 @@ bool ShadowTarget::foldCount(vtkOpenGLState* state, ShadowPrograms& programs, in
   state->vtkglDepthFunc(reversedDepth ? GL_LESS : GL_GREATER);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  // What is drawn is combined with the mask by logical AND.
+  glEnable(GL_COLOR_LOGIC_OP);
+  glLogicOp(GL_AND);
   if (stencil)
   {
     state->vtkglEnable(GL_STENCIL_TEST);
     state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_NOTEQUAL, 0, 0xff);
     state->vtkglStencilOpSeparate(GL_FRONT_AND_BACK, GL_ZERO, GL_ZERO, GL_ZERO);
-    this->andOntoMask();
-    return true;
+    this->drawScreen();
   }
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
-  state->vtkglActiveTexture(GL_TEXTURE0);
-  GLint before = 0;
-  glGetIntegerv(this->samples > 1 ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &before);
-  glBindTexture(this->getTextureTarget(), this->countTexture);
-  program->SetUniformi("counts", 0);
-  this->andOntoMask();
-  glBindTexture(this->getTextureTarget(), static_cast<GLuint>(before));
+  else
+  {
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
+    this->drawReading(state, this->countTexture, program, "counts");
+  }
+  glDisable(GL_COLOR_LOGIC_OP);
   return true;
 }
 
-// Draws the whole target with the current program; what that gives is combined with the mask by logical AND.
-void ShadowTarget::andOntoMask() const
+bool ShadowTarget::drawWhereCleared(vtkOpenGLState* state, ShadowPrograms& programs, std::uint32_t bit)
 {
-  glEnable(GL_COLOR_LOGIC_OP);
-  glLogicOp(GL_AND);
+  vtkShaderProgram* program = programs.use(ShadowPrograms::BackSeen, false);
+  if (program == nullptr)
+  {
+    return false;
+  }
+  program->SetUniformi("backBit", static_cast<int>(bit));
+  program->SetUniformf("farDepth", 0.0f);
+  // Another buffer than the one that is read.
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->countFramebuffer);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  this->drawReading(state, this->maskTexture, program, "shadowMask");
+  return true;
+}
+
+// Draws the whole target with a program that reads a texture.
+void ShadowTarget::drawReading(vtkOpenGLState* state, unsigned int texture, vtkShaderProgram* program,
+                               const char* sampler) const
+{
+  state->vtkglActiveTexture(GL_TEXTURE0);
+  GLint before = 0;
+  glGetIntegerv(this->samples > 1 ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &before);
+  glBindTexture(this->getTextureTarget(), texture);
+  program->SetUniformi(sampler, 0);
+  this->drawScreen();
+  glBindTexture(this->getTextureTarget(), static_cast<GLuint>(before));
+}
+
+void ShadowTarget::drawScreen() const
+{
   glBindVertexArray(this->emptyVertexArray);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
-  glDisable(GL_COLOR_LOGIC_OP);
 }
 
 void ShadowTarget::release(bool contextLost)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
+class vtkShaderProgram;
 
 namespace shadow
 {
@@ -40,6 +42,11 @@ public:
   /// @return false when the shader does not compile
   bool foldCount(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
 
+  /// Draws a fragment, which is written nowhere, for each pixel where a bit of the mask is cleared.
+  /// @pre   begin() called since the last beginCount(); volumes are counted in colour, one sample a pixel
+  /// @return false when the shader does not compile
+  bool drawWhereCleared(vtkOpenGLState* state, ShadowPrograms& programs, std::uint32_t bit);
+
   /// Copies the mask's bit of a light: width * height values, bottom row first; 255 reached, 0 shadowed,
   /// between for pixels whose samples differ.
   std::vector<unsigned char> readMask(vtkOpenGLRenderWindow* window, int light);
@@ -60,7 +67,9 @@ private:
   unsigned int makeTexture(unsigned int internalFormat, unsigned int format, unsigned int type) const;
 
   unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture) const;
-  void andOntoMask() const;
+  void drawReading(vtkOpenGLState* state, unsigned int texture, vtkShaderProgram* program,
+                   const char* sampler) const;
+  void drawScreen() const;
 
   CountBuffer buffer = CountBuffer::Stencil;
   unsigned int framebuffer = 0;      ///< mask and depth, with stencil

@@ -48,6 +48,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
                                     std::string& error)
 {
   this->statistics = {};
+  this->hiddenBacks.begin();
   if (!this->getCapabilities().usable)
   {
     error = this->capabilities.missing;
@@ -96,6 +97,7 @@ bool ShadowVolumeEffect::drawStages(const Frame& frame, std::string& error)
   {
     drawn = drawn && this->drawVolumes(frame, light, error);
   }
+  this->hiddenBacks.fetch();
   finishStage(frame.settings.waitAfterStages);
   this->statistics.stencilMilliseconds = stage.getMilliseconds();
   return drawn;
@@ -129,6 +131,7 @@ void ShadowVolumeEffect::cull(const Frame& frame)
 bool ShadowVolumeEffect::findFacing(const Frame& frame, std::string& /*error*/)
 {
   this->chooseFinder(frame.settings);
+  this->markBacks(frame);
   SEDVisitor facer(SEDVisitor::Stage::Face, frame.lights, *this->finder);
   this->accept(facer);
   return true;
@@ -227,8 +230,22 @@ bool ShadowVolumeEffect::drawSurfaces(const Frame& frame, std::string& error)
   setDepthBias(program, this->depthRange.reversed, false);
   DrawVisitor draw(this->makeDrawPass(program, frame));
   this->accept(draw);
+  ShadowPrograms programs(frame.window);
+  this->hiddenBacks.ask(frame.window->GetState(), programs, this->target);
   this->statistics.prePassTriangles = draw.getCounts().geometry;
   return true;
+}
+
+void ShadowVolumeEffect::markBacks(const Frame& frame)
+{
+  const bool worthwhile = frame.settings.findHiddenBacks && this->capabilities.software &&
+                          this->target.getSamples() == 1 && this->countBuffer == CountBuffer::Color;
+  std::uint32_t taken = worthwhile ? 0 : ~0u;
+  for (const Light& light : frame.lights)
+  {
+    taken |= 1u << light.index;
+  }
+  this->hiddenBacks.choose(*this, frame.view, this->getClipFromWC(frame.view), taken);
 }
 
 bool ShadowVolumeEffect::drawVolumes(const Frame& frame, const Light& light, std::string& error)
@@ -298,6 +315,7 @@ void ShadowVolumeEffect::release(bool contextLost)
 {
   this->target.release(contextLost);
   this->drawables.release(contextLost);
+  this->hiddenBacks.release(contextLost);
   this->capabilitiesKnown = false;
 }
 

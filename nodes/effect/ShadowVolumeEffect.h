@@ -12,6 +12,7 @@
 #include "DrawVisitor.h"
 #include "DrawableCache.h"
 #include "FaceCounter.h"
+#include "HiddenBacks.h"
 #include "Light.h"
 #include "Node.h"
 #include "SceneBoundsVisitor.h"
@@ -44,6 +45,7 @@ public:
     CountBuffer countBuffer = CountBuffer::Auto;
     double coplanarTolerance = 0.0; ///< degrees, see makeSilhouetteFinder()
     int samples = 1;
+    bool findHiddenBacks = true;  ///< where it pays, see HiddenBacks
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
 
@@ -77,6 +79,9 @@ public:
   const Statistics& getStatistics() const { return this->statistics; }
   ShadowTarget& getTarget() { return this->target; }
   const DepthRange& getDepthRange() const { return this->depthRange; }
+
+  /// Meshes that are known to show the camera no back in this rendering.
+  const std::vector<LargeMesh>& getHiddenBacks() const { return this->hiddenBacks.getHidden(); }
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   virtual void release(bool contextLost);
@@ -124,6 +129,7 @@ private:
   DrawVisitor::Pass makeDrawPass(vtkShaderProgram* program, const Frame& frame);
   bool drawStages(const Frame& frame, std::string& error);
   bool drawPrePass(const Frame& frame, std::string& error);
+  void markBacks(const Frame& frame);
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
 
   std::unique_ptr<SilhouetteFinder> finder; ///< kept while its settings are, and volumes with it
@@ -135,6 +141,7 @@ private:
   CountBuffer countBuffer = CountBuffer::Stencil; ///< of the coming frame
   DrawableCache drawables;
   DepthRange depthRange;
+  HiddenBacks hiddenBacks;
   Statistics statistics;
 };
 

@@ -62,6 +62,18 @@ struct PathLightState
   std::uint64_t revision = 0;        ///< another value whenever volumes changed; unique over all geodes
 };
 
+/// A side of a path's triangles that the pre-pass marks in the shadow mask.
+struct MarkedSide
+{
+  std::uint32_t bit = 0;   ///< of the mask, cleared where the side is seen; 0: no side is marked
+  bool inputFront = false; ///< the side that is the front as the input is wound; false: its back
+
+  bool operator==(const MarkedSide& other) const
+  {
+    return this->bit == other.bit && (this->bit == 0 || this->inputFront == other.inputFront);
+  }
+};
+
 /// Everything a geode keeps for one path: its volumes, and the facing of each triangle for all lights.
 struct PathState
 {
@@ -69,7 +81,10 @@ struct PathState
   std::map<int, PathLightState> lights; ///< by Light::index
   std::vector<glm::uvec2>
       reachableBits; ///< a triangle: x raster-front, y raster-back; bit i: that side faces light i
-  std::uint64_t reachableRevision = 0; ///< another value whenever reachableBits changed
+  FaceCulling hiddenSide = FaceCulling::None; ///< no pixel of the coming pre-pass would show it
+  MarkedSide marked;                          ///< for the coming pre-pass
+  MarkedSide reachableMarked;                 ///< what reachableBits have
+  std::uint64_t reachableRevision = 0;        ///< another value whenever reachableBits changed
   bool inView = true; ///< the geometry may be seen, so that facing is wanted for the pre-pass
   bool used = false;  ///< met since the last call of dropUnusedPaths()
 };

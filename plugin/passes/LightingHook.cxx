@@ -59,6 +59,12 @@ bool usesSceneLights(const std::string& shader)
 
 bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
 {
+  // VTK calls once for each time that the pass is among a prop's render passes: twice for an actor that is
+  // shown by itself and in an assembly.
+  if (fragmentShader.find("readShadowMask") != std::string::npos)
+  {
+    return true;
+  }
   int blinnPhong = 0;
   int physicallyBased = 0;
   const std::size_t lights = std::min<std::size_t>(this->strength.size(), maximumLights);

@@ -14,6 +14,7 @@
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
 
 #include "MeshImport.h"
 #include "SweepUnused.h"
@@ -32,6 +33,13 @@ FaceCulling faceCullingOf(vtkActor* actor)
                                                          : (front ? FaceCulling::Front : FaceCulling::None);
 }
 
+bool letsThrough(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return actor->GetForceOpaque() || shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
+         shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+}
+
 } // namespace
 
 bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group& root)
@@ -41,6 +49,7 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
   this->skipped.clear();
   this->errors.clear();
   this->triangles = 0;
+  this->seenThrough = false;
   this->propNumber = -1;
   root.clearChildren();
   // All props, not those that VTK's cullers left: a caster outside the view may shadow what is inside.
@@ -139,6 +148,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   {
     root.addChild(transform);
     this->mirrored.insert(actor);
+    this->seenThrough = this->seenThrough || letsThrough(actor);
   }
 }
 
@@ -176,6 +186,21 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
     this->errors.push_back(name + " has no shadow: " + mesh.error);
   }
   return mesh.geode;
+}
+
+vtkProp* SceneBuilder::findActor(const Node* transform) const
+{
+  vtkProp* actor = nullptr;
+  for (const auto& [path, placed] : this->transforms)
+  {
+    if (placed.transform.get() == transform && placed.transform->getChildren().size() == 1)
+    {
+      actor = path.back();
+    }
+  }
+  const auto places = std::count_if(this->transforms.begin(), this->transforms.end(),
+                                    [&](const auto& entry) { return entry.first.back() == actor; });
+  return places == 1 ? actor : nullptr;
 }
 
 std::string SceneBuilder::describe(vtkProp* prop) const

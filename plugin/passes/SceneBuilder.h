@@ -43,6 +43,13 @@ public:
   /// True when the actor's surfaces are in the graph, so that its pixels have their own place in the mask.
   bool isMirrored(vtkProp* actor) const { return this->mirrored.count(actor) != 0; }
 
+  /// The actor of a transform that stands for it alone: one data set, drawn in one place. Else nullptr.
+  vtkProp* findActor(const Node* transform) const;
+
+  /// True when what VTK draws for an actor may let through what lies behind: shaders of its own, or
+  /// translucency that is taken for opaque.
+  bool mayBeSeenThrough() const { return this->seenThrough; }
+
   /// Actors that were left out although they are drawn, and why.
   const std::set<CasterCuller::Skipped>& getSkipped() const { return this->skipped; }
 
@@ -87,6 +94,7 @@ private:
   std::set<CasterCuller::Skipped> skipped;
   std::vector<std::string> errors;
   std::size_t triangles = 0;
+  bool seenThrough = false;
   int propNumber = -1; ///< of the prop that is being mirrored
 };
 

@@ -147,6 +147,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
   this->Status = STATUS_OK;
   this->Message.clear();
   this->Skipped.clear();
+  this->HiddenBacks.clear();
   this->ShadowLights = 0;
   this->LightingPasses = 0;
   this->LightingMilliseconds = 0.0;
@@ -168,6 +169,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
     this->AddMessage(message);
   }
 
+  this->CollectHiddenBacks(state);
   this->ShadowLights = static_cast<int>(lights.lights.size());
   this->Skipped = state.Builder.getSkipped();
   const auto& culled = state.Effect->getStatistics().skipped;
@@ -202,6 +204,7 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
     const shadow::Stopwatch scene;
     state.ChooseEffect(settings.silhouetteMethod);
     this->UpdateScene(self, state);
+    settings.findHiddenBacks = !state.Builder.mayBeSeenThrough();
     this->SceneMilliseconds += scene.getMilliseconds();
     std::string error;
     if (state.Effect->renderMask(state.Window, state.View, lights.lights, settings, error))
@@ -237,6 +240,31 @@ void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, R
   for (const std::string& error : state.Builder.getErrors())
   {
     this->AddMessage(error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::CollectHiddenBacks(const RendererState& state)
+{
+  for (const shadow::LargeMesh& mesh : state.Effect->getHiddenBacks())
+  {
+    // The path ends with the transform and its geode.
+    if (vtkProp* actor = state.Builder.findActor(mesh.path[mesh.path.size() - 2]))
+    {
+      this->HiddenBacks[actor] = mesh.back;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShadowVolumePass::vtkInternals::SetHiddenSide(vtkProp* prop)
+{
+  const auto hidden = this->HiddenBacks.find(prop);
+  if (hidden != this->HiddenBacks.end())
+  {
+    vtkOpenGLState* state = this->Current->Window->GetState();
+    state->vtkglEnable(GL_CULL_FACE);
+    state->vtkglCullFace(hidden->second == shadow::FaceCulling::Front ? GL_FRONT : GL_BACK);
   }
 }
 

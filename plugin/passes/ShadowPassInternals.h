@@ -69,6 +69,9 @@ public:
   /// Of the last rendering; all zero before the first.
   const shadow::ShadowVolumeEffect::Statistics& GetStatistics() const;
 
+  /// Has the GL leave out triangles of a prop that is about to be drawn, if no pixel shows them.
+  void SetHiddenSide(vtkProp* prop);
+
   void Release(vtkWindow* window);
   void SetCasting(vtkProp* prop, bool casting);
   bool IsCasting(vtkProp* prop) const;
@@ -93,6 +96,8 @@ public:
   std::string ReportedMessage;
   std::set<std::string> ShaderMessages; ///< of shaders that have been built since ShaderTime
   std::set<shadow::CasterCuller::Skipped> Skipped;
+  /// Props of the last rendering that no pixel shows the back of, and what has to be culled for it.
+  std::map<vtkProp*, shadow::FaceCulling> HiddenBacks;
   int ShadowLights = 0;
   int UsedMethod = -1; ///< SilhouetteMethods; none before the first rendering
   int LightingPasses = 0;
@@ -103,6 +108,8 @@ private:
   RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
   void UpdateScene(vtkShadowVolumePass* self, RendererState& state);
   bool RenderMask(vtkShadowVolumePass* self, RendererState& state, const shadow::LightList& lights);
+
+  void CollectHiddenBacks(const RendererState& state);
 
   std::map<vtkProp*, vtkWeakPointer<vtkProp>> NotCasting;
 };

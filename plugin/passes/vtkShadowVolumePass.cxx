@@ -116,6 +116,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   const shadow::Stopwatch stage;
 
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   hook.begin(state, *internals.Current->Effect, internals.Current->View);
   this->PreRender(s);
   if (this->Compositing == COMPOSITING_MASK)
@@ -173,6 +174,7 @@ bool vtkShadowVolumePass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
                                               vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
 {
   this->Internals->Hook.setUniforms(program);
+  this->Internals->SetHiddenSide(prop);
   return this->Superclass::SetShaderParameters(program, mapper, prop, VAO);
 }
 

@@ -273,6 +273,13 @@ public:
   std::string GetSkippedCaster(int index) const; ///< "name: reason", or "" when there is no such index
   ///@}
 
+  /**
+   * Statistics of the last rendering: actors of 10,000 triangles and more that no pixel shows the back of, so
+   * that half of their triangles could be left out. Only looked for where it pays, with Mesa's software
+   * rasterisers; a shader of its own or ForceOpaque on any actor turns it off.
+   */
+  int GetNumberOfHiddenBacks() const;
+
   ///@{
   /**
    * Milliseconds of the last rendering's stages, see MeasureStages.

@@ -22,6 +22,12 @@ int vtkShadowVolumePass::GetUsedSilhouetteMethod() const
 }
 
 //------------------------------------------------------------------------------
+int vtkShadowVolumePass::GetNumberOfHiddenBacks() const
+{
+  return static_cast<int>(this->Internals->HiddenBacks.size());
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkShadowVolumePass::GetPrePassTriangles() const
 {
   return static_cast<vtkIdType>(this->Internals->GetStatistics().prePassTriangles);

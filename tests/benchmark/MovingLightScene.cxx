@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <vtkCamera.h>
+
 #include "ShadowMap.h"
 #include "Timing.h"
 
@@ -38,6 +40,10 @@ double MovingLightScene::draw(vtkRenderPass* pass)
     this->scene.renderer->SetPass(pass);
   }
   this->moveLight();
+  if (this->cameraMoves)
+  {
+    this->scene.renderer->GetActiveCamera()->Azimuth(0.3);
+  }
   return measure(
       [this]
       {

@@ -16,10 +16,11 @@ public:
   MovingLightScene(const MovingLightScene&) = delete;
   MovingLightScene& operator=(const MovingLightScene&) = delete;
 
-  /// Milliseconds of a frame after the light has moved.
+  /// Milliseconds of a frame after the light, and the camera if it does, have moved.
   double draw(vtkRenderPass* pass);
 
   truth::ShadowScene scene;
+  bool cameraMoves = false;
   vtkNew<vtkCameraPass> shadowMap; ///< VTK's own shadows of the same scene
 
 private:

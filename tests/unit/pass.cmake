@@ -17,6 +17,7 @@ if(VTKSHADOW_HEADLESS)
 
   add_executable(test_pass
     test_gpu_silhouette.cxx
+    test_hidden_backs.cxx
     test_pass_changes.cxx
     test_pass_growth.cxx
     test_pass_lights.cxx
