@@ -7,6 +7,13 @@
 
 #include "Prefetch.h"
 
+// Two copies of a function, of which the one that suits the processor is taken at run time.
+#if defined(__GNUC__) && defined(__x86_64__) && defined(__linux__)
+#define SHADOW_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
+#else
+#define SHADOW_ALSO_FOR_AVX2
+#endif
+
 namespace shadow
 {
 
@@ -21,9 +28,9 @@ struct ClusterTree::Bounds
 
   void add(const PlaneBlock& block, std::size_t bit)
   {
-    const std::size_t slot = PlaneBlock::slotOf(bit);
-    const glm::dvec3 normal(block.x[slot], block.y[slot], block.z[slot]);
-    const double offset = static_cast<double>(block.offset[slot]) + glm::dot(normal, this->centre);
+    const glm::dvec4 plane = block.get(bit);
+    const glm::dvec3 normal(plane);
+    const double offset = plane.w + glm::dot(normal, this->centre);
     this->normalLower = glm::min(this->normalLower, normal);
     this->normalUpper = glm::max(this->normalUpper, normal);
     this->offsetLower = std::min(this->offsetLower, offset);
@@ -208,7 +215,8 @@ void ClusterTree::classify(const ScaledLight& light, FacingBits& towards, Facing
 }
 
 /// Bounds of what the planes of eight nodes give at a light.
-void ClusterTree::evaluate(const Group& nodes, const ScaledLight& light, Lanes& lower, Lanes& upper)
+SHADOW_ALSO_FOR_AVX2 void ClusterTree::evaluate(const Group& nodes, const ScaledLight& light, Lanes& lower,
+                                                Lanes& upper)
 {
   for (std::size_t lane = 0; lane < fan; ++lane)
   {
@@ -233,10 +241,11 @@ void ClusterTree::evaluate(const Group& nodes, const ScaledLight& light, Lanes& 
 
 void ClusterTree::visit(std::size_t level, std::size_t group, Walk& walk) const
 {
-  // With e = 2^-24 and S as in ScaledLight: the planes and the light are off by 2.5 e S, the light relative
-  // to the centre by 3 e S, evaluating adds 6 e (|x| + |y| + |z| + 3 |w|), as offsets are below 2; and a
-  // corner at the light is within 1 e S. The sum is below 27 e S, and the bound for one plane 8 e S.
-  const float bound = 4.0f * walk.light.bound;
+  // With u, e and S as in ScaledLight: the planes are off by (u / 2 + 1 e) S, the light by 1 e S, relative to
+  // the centre by 3 e S, evaluating adds 6 e (|x| + |y| + |z| + 3 |w|), as offsets are below 2; and a corner
+  // at the light is within 1 e S. The sum is below (u / 2 + 27 e) S, which is 283 e S, and the bound for one
+  // plane 272 e S.
+  const float bound = 1.125f * walk.light.bound;
   Lanes lower{};
   Lanes upper{};
   evaluate(this->levels[level][group], walk.light, lower, upper);

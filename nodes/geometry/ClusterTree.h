@@ -10,6 +10,7 @@
 #include "EdgeTable.h"
 #include "FacingBits.h"
 #include "PlaneBlock.h"
+#include "ScaledLight.h"
 
 namespace shadow
 {

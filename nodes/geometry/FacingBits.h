@@ -8,6 +8,21 @@
 namespace shadow
 {
 
+/// The lowest set bit of a word that has one.
+inline std::size_t findLowestBit(std::uint64_t word)
+{
+#ifdef __GNUC__
+  return static_cast<std::size_t>(__builtin_ctzll(word));
+#else
+  std::size_t bit = 0;
+  for (; (word & 1u) == 0; word >>= 1)
+  {
+    ++bit;
+  }
+  return bit;
+#endif
+}
+
 /// One bit per triangle, 64 to a word. Bit t lives in word t / 64.
 ///
 /// Every step that needs to know how a triangle faces a light reads it here, so no two steps can disagree.

@@ -5,30 +5,10 @@
 #include <cmath>
 
 #include "ExactOrientation.h"
+#include "Prefetch.h"
 
 namespace shadow
 {
-
-ScaledLight scaleLight(const glm::dvec4& lightMC, double reach)
-{
-  const glm::dvec4 inReach(glm::dvec3(lightMC), lightMC.w * reach);
-  const glm::dvec4 size = glm::abs(inReach);
-  const double largest = std::max({size.x, size.y, size.z, size.w});
-  const double sum = size.x + size.y + size.z + size.w;
-  if (!(largest > 0.0) || !std::isfinite(sum))
-  {
-    return {};
-  }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const double factor = std::ldexp(1.0, -exponent);
-  const glm::dvec4 scaled = inReach * factor;
-  // Positions so small that single precision has no digits for them are where they are only roughly.
-  const double touching = lightMC.w != 0.0 ? 0x1p-146 * factor : 0.0;
-  const double bound = 8.0 * 0x1p-24 * sum * factor + 0x1p-100 + touching;
-  return {static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z),
-          static_cast<float>(scaled.w), static_cast<float>(bound)};
-}
 
 bool touchesLight(const SEDGeometry& geometry, std::uint32_t triangle, const glm::vec3& lightMC)
 {
@@ -40,40 +20,86 @@ bool touchesLight(const SEDGeometry& geometry, std::uint32_t triangle, const glm
 
 FacingDecider::FacingDecider(const SEDGeometry& theGeometry, const glm::dvec4& theLightMC, InstructionSet set)
     : geometry(theGeometry), lightMC(theLightMC), light(scaleLight(theLightMC, theGeometry.getReach())),
-      comparePlanes(getPlaneKernel(set))
+      lightAsRounded(this->light.x, this->light.y, this->light.z, this->light.w),
+      lightInUnits(toUnits(this->light)), comparePlanes(getPlaneKernel(set))
 {
+  const glm::dvec3 rounded{glm::vec3(theLightMC)};
+  this->mayTouch = theLightMC.w != 0.0 &&
+                   glm::all(glm::greaterThanEqual(rounded, theGeometry.getLowerBound())) &&
+                   glm::all(glm::lessThanEqual(rounded, theGeometry.getUpperBound()));
 }
 
 void FacingDecider::decide(std::size_t firstWord, std::size_t endWord, LightFacing& facing) const
 {
+  std::vector<std::uint32_t> doubtful;
+  this->compare(firstWord, endWord, facing, doubtful);
+  this->resolve(doubtful, facing);
+}
+
+void FacingDecider::compare(std::size_t firstWord, std::size_t endWord, LightFacing& facing,
+                            std::vector<std::uint32_t>& doubtful) const
+{
+  const std::vector<PlaneBlock>& blocks = this->geometry.getPlaneBlocks();
   std::uint64_t* towards = facing.towards.data();
   std::uint64_t* away = facing.away.data();
-  this->comparePlanes(this->geometry.getPlaneBlocks().data() + firstWord, endWord - firstWord, this->light,
-                      towards + firstWord, away + firstWord);
+  this->comparePlanes(blocks.data() + firstWord, endWord - firstWord, this->lightInUnits, towards + firstWord,
+                      away + firstWord);
   const std::size_t triangles = this->geometry.getTriangles().size();
   for (std::size_t word = firstWord; word < endWord; ++word)
   {
-    std::uint64_t doubtful = ~(towards[word] | away[word]);
-    for (std::size_t bit = 0; doubtful != 0; ++bit, doubtful >>= 1)
+    std::uint64_t open = ~(towards[word] | away[word]);
+    if (triangles - 64 * word < 64)
     {
-      const std::size_t triangle = 64 * word + bit;
-      if ((doubtful & 1u) == 0 || triangle >= triangles)
+      open &= (std::uint64_t{1} << (triangles - 64 * word)) - 1;
+    }
+    for (; open != 0; open &= open - 1)
+    {
+      const std::size_t bit = findLowestBit(open);
+      const double value = glm::dot(blocks[word].get(bit), this->lightAsRounded);
+      if (std::abs(value) > this->light.bound)
       {
-        continue;
+        (value > 0.0 ? towards : away)[word] |= std::uint64_t{1} << bit;
       }
-      const int sign = this->resolve(static_cast<std::uint32_t>(triangle));
-      towards[word] |= std::uint64_t{sign > 0} << bit;
-      away[word] |= std::uint64_t{sign < 0} << bit;
+      else
+      {
+        doubtful.push_back(static_cast<std::uint32_t>(64 * word + bit));
+      }
     }
   }
 }
 
+void FacingDecider::resolve(const std::vector<std::uint32_t>& doubtful, LightFacing& facing) const
+{
+  constexpr std::size_t ahead = 8;
+  const std::vector<std::array<std::uint32_t, 3>>& triangles = this->geometry.getTriangles();
+  const std::vector<glm::vec3>& positions = this->geometry.getPositions();
+  for (std::size_t index = 0; index < doubtful.size(); ++index)
+  {
+    if (index + 2 * ahead < doubtful.size())
+    {
+      prefetch(&triangles[doubtful[index + 2 * ahead]], 1);
+    }
+    if (index + ahead < doubtful.size())
+    {
+      for (const std::uint32_t vertex : triangles[doubtful[index + ahead]])
+      {
+        prefetch(&positions[vertex], 1);
+      }
+    }
+    const std::uint32_t triangle = doubtful[index];
+    const int sign = this->findSign(triangle);
+    const std::uint64_t bit = std::uint64_t{1} << (triangle & 63);
+    facing.towards.data()[triangle >> 6] |= sign > 0 ? bit : 0;
+    facing.away.data()[triangle >> 6] |= sign < 0 ? bit : 0;
+  }
+}
+
 /// The exact sign: by a sharper filter in double precision, then by exact arithmetic.
-int FacingDecider::resolve(std::uint32_t triangle) const
+int FacingDecider::findSign(std::uint32_t triangle) const
 {
   // A corner at the light has no direction to be extruded in, so its triangle must not cast: it counts as
   // having the light in its plane, which exactly it does, but for the light's rounding to single precision.
-  if (this->lightMC.w != 0.0 && touchesLight(this->geometry, triangle, glm::vec3(this->lightMC)))
+  if (this->mayTouch && touchesLight(this->geometry, triangle, glm::vec3(this->lightMC)))
   {
     return 0;
   }

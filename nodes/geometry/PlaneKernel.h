@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "PlaneBlock.h"
+#include "ScaledLight.h"
 
 namespace shadow
 {
@@ -25,8 +26,8 @@ const std::vector<InstructionSet>& getInstructionSets();
 /// @param towards,away  a word a block: bits of the triangles whose value is above bound, or below -bound.
 /// The
 ///                      same for every instruction set
-/// @par Cost  reads 16 bytes a triangle
-using PlaneKernel = void (*)(const PlaneBlock* blocks, std::size_t count, const ScaledLight& light,
+/// @par Cost  reads 8 bytes a triangle
+using PlaneKernel = void (*)(const PlaneBlock* blocks, std::size_t count, const LightInUnits& light,
                              std::uint64_t* towards, std::uint64_t* away);
 
 PlaneKernel getPlaneKernel(InstructionSet set);

@@ -68,7 +68,7 @@ struct SEDGeometryReport
 /// edge has one or two triangles and sums over triangles stay what they were. Triangles that lie together
 /// stand together: the 64 of a word of FacingBits are a cluster.
 ///
-/// @par Memory  about 43 bytes a triangle
+/// @par Memory  about 35 bytes a triangle
 /// @par Source  Shi 2006, chapter 4.2.2
 class SEDGeometry
 {
@@ -95,7 +95,7 @@ public:
   /// The plane of an oriented triangle, computed from its corners.
   TrianglePlane getPlane(std::size_t triangle) const;
 
-  /// Planes in single precision, one block a word of FacingBits.
+  /// Planes, rounded, one block a word of FacingBits.
   const std::vector<PlaneBlock>& getPlaneBlocks() const { return this->planeBlocks; }
 
   /// The power of two that PlaneBlock::offset is in units of; no vertex has |x| + |y| + |z| above it.

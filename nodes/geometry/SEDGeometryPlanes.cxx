@@ -101,12 +101,8 @@ void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle)
     return;
   }
   const double factor = 1.0 / glm::length(plane.normal);
-  PlaneBlock& block = this->geometry.planeBlocks[triangle / PlaneBlock::triangles];
-  const std::size_t slot = PlaneBlock::slotOf(triangle % PlaneBlock::triangles);
-  block.x[slot] = static_cast<float>(plane.normal.x * factor);
-  block.y[slot] = static_cast<float>(plane.normal.y * factor);
-  block.z[slot] = static_cast<float>(plane.normal.z * factor);
-  block.offset[slot] = static_cast<float>(plane.offset * factor / this->geometry.reach);
+  this->geometry.planeBlocks[triangle / PlaneBlock::triangles].set(
+      triangle % PlaneBlock::triangles, plane.normal * factor, plane.offset * factor / this->geometry.reach);
 }
 
 void SEDGeometryBuilder::makeClusters()

@@ -27,7 +27,7 @@ void forEachTriangle(const FacingBits& bits, const FacingBits* among, Visit&& vi
     left &= among != nullptr ? among->getWords()[word] : ~std::uint64_t{0};
     for (; left != 0; left &= left - 1)
     {
-      visit(static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(__builtin_ctzll(left)));
+      visit(static_cast<std::uint32_t>(64 * word + findLowestBit(left)));
     }
   }
 }

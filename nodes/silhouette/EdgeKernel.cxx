@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "FacingBits.h"
+
 #if defined(__GNUC__) && defined(__x86_64__)
 #define SHADOW_HAS_AVX2
 #define SHADOW_TARGET_AVX2 __attribute__((target("avx2")))
@@ -14,19 +16,11 @@ namespace shadow
 namespace
 {
 
-/// The lowest set bit of a word that has one.
-std::size_t findLowest(std::uint64_t word)
+/// No inner edge differs where all triangles of the word face alike.
+bool isUniform(std::size_t word, const std::uint64_t* towards, const std::uint64_t* away)
 {
-#ifdef __GNUC__
-  return static_cast<std::size_t>(__builtin_ctzll(word));
-#else
-  std::size_t bit = 0;
-  for (; (word & 1u) == 0; word >>= 1)
-  {
-    ++bit;
-  }
-  return bit;
-#endif
+  const auto isOne = [](std::uint64_t bits) { return bits == 0 || bits == ~std::uint64_t{0}; };
+  return isOne(towards[word]) && (away == nullptr || isOne(away[word]));
 }
 
 using Record = EdgeTable::Record;
@@ -39,7 +33,7 @@ void appendInner(const Record& record, std::uint64_t differing, std::size_t word
   const auto base = static_cast<std::uint32_t>(64 * word);
   for (; differing != 0; differing &= differing - 1)
   {
-    const std::size_t edge = begin + findLowest(differing);
+    const std::size_t edge = begin + findLowestBit(differing);
     const EdgeTable::Code code = record.innerFirst[edge];
     found.push_back({base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code),
                      base + EdgeTable::triangleOf(record.innerSecond[edge])});
@@ -53,7 +47,7 @@ void appendOuter(const Record& record, std::uint64_t differing, std::size_t word
   const auto base = static_cast<std::uint32_t>(64 * word);
   for (; differing != 0; differing &= differing - 1)
   {
-    const std::size_t edge = begin + findLowest(differing);
+    const std::size_t edge = begin + findLowestBit(differing);
     const EdgeTable::Code code = record.outerFirst[edge];
     found.push_back({base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code), record.outerSecond[edge]});
   }
@@ -192,18 +186,11 @@ SHADOW_TARGET_AVX2 void compareAllAvx2(const EdgeTable& table, const std::uint64
   for (std::size_t word = firstWord; word < endWord; ++word)
   {
     const Record record = table.getRecord(word);
-    compareInnerAvx2(record, word, towards, away, found);
+    if (!isUniform(word, towards, away))
+    {
+      compareInnerAvx2(record, word, towards, away, found);
+    }
     compareOuterAvx2(record, word, towards, away, found);
-  }
-}
-
-SHADOW_TARGET_AVX2 void compareOuterOfWordsAvx2(const EdgeTable& table, const std::uint64_t* towards,
-                                                const std::uint64_t* away, std::size_t firstWord,
-                                                std::size_t endWord, Found& found)
-{
-  for (std::size_t word = firstWord; word < endWord; ++word)
-  {
-    compareOuterAvx2(table.getRecord(word), word, towards, away, found);
   }
 }
 
@@ -217,33 +204,26 @@ void compareAllScalar(const EdgeTable& table, const std::uint64_t* towards, cons
   for (std::size_t word = firstWord; word < endWord; ++word)
   {
     const Record record = table.getRecord(word);
-    compareInnerScalar(record, word, towards, away, found);
+    if (!isUniform(word, towards, away))
+    {
+      compareInnerScalar(record, word, towards, away, found);
+    }
     compareOuterScalar(record, word, towards, away, found);
-  }
-}
-
-void compareOuterOfWordsScalar(const EdgeTable& table, const std::uint64_t* towards,
-                               const std::uint64_t* away, std::size_t firstWord, std::size_t endWord,
-                               Found& found)
-{
-  for (std::size_t word = firstWord; word < endWord; ++word)
-  {
-    compareOuterScalar(table.getRecord(word), word, towards, away, found);
   }
 }
 
 } // namespace
 
-EdgeKernels getEdgeKernels(InstructionSet set)
+EdgeKernel getEdgeKernel(InstructionSet set)
 {
 #ifdef SHADOW_HAS_AVX2
   if (set == InstructionSet::Avx2)
   {
-    return {compareAllAvx2, compareOuterOfWordsAvx2};
+    return compareAllAvx2;
   }
 #endif
   static_cast<void>(set);
-  return {compareAllScalar, compareOuterOfWordsScalar};
+  return compareAllScalar;
 }
 
 } // namespace shadow

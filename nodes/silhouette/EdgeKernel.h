@@ -21,16 +21,11 @@ struct DifferingEdge
 /// Appends edges of the words [firstWord, endWord) whose triangles differ in one of the bits.
 ///
 /// @param towards,away  words of FacingBits; @p away may be null: only @p towards is compared then
+/// @par Cost            reads 5 bytes and two bits an outer edge, and 2 bytes an inner one of words whose
+///                      triangles are not all alike
 using EdgeKernel = void (*)(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
                             std::size_t firstWord, std::size_t endWord, std::vector<DifferingEdge>& found);
 
-/// @par Cost  reads 2 bytes and two bits an inner edge, 5 bytes and two bits an outer one
-struct EdgeKernels
-{
-  EdgeKernel compareAll;
-  EdgeKernel compareOuter; ///< no inner edges
-};
-
-EdgeKernels getEdgeKernels(InstructionSet set);
+EdgeKernel getEdgeKernel(InstructionSet set);
 
 } // namespace shadow

@@ -31,9 +31,9 @@ bool isDecided(const LightFacing& facing)
   return all == ~std::uint64_t{0};
 }
 
-/// So many words, or edges, are asked for before their turn.
-constexpr std::size_t ahead = 4;
-constexpr std::size_t farAhead = 8;
+/// So many words are asked for before their turn: their edges, and where these lie.
+constexpr std::size_t ahead = 8;
+constexpr std::size_t farAhead = 24;
 
 void prefetchEdges(const EdgeTable& table, std::uint32_t word)
 {
@@ -61,24 +61,18 @@ int EdgeScan::getSign(std::uint32_t triangle) const
   return this->casting == Casting::LightFacing ? sign : sign - (this->facing.away.test(triangle) ? 1 : 0);
 }
 
-/// No inner edge differs where all triangles of the word face alike.
-bool EdgeScan::isUniform(std::uint32_t word) const
-{
-  const auto isOne = [](std::uint64_t bits) { return bits == 0 || bits == ~std::uint64_t{0}; };
-  return isOne(this->towards[word]) && (this->away == nullptr || isOne(this->away[word]));
-}
-
 void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
   constexpr std::size_t atOnce = 256;
-  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const EdgeKernel compareAll = getEdgeKernel(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
   std::vector<DifferingEdge> differing;
   for (std::size_t first = firstWord; first < endWord; first += atOnce)
   {
     const std::size_t end = std::min(first + atOnce, endWord);
-    kernels.compareAll(table, this->towards, this->away, first, end, differing);
+    compareAll(table, this->towards, this->away, first, end, differing);
+    this->prefetchSides(differing, 0);
     this->moveDiffering(differing, silhouette);
   }
 }
@@ -87,7 +81,7 @@ void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
   constexpr std::size_t atOnce = 256;
-  const EdgeKernels kernels = getEdgeKernels(getInstructionSets().back());
+  const EdgeKernel compareAll = getEdgeKernel(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
   // About half of the words hold an edge, and these some five.
   silhouette.reserve(silhouette.size() + 4 * words.size() + table.borders.size());
@@ -103,8 +97,9 @@ void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
     {
       prefetchEdges(table, words[index + ahead]);
     }
-    const EdgeKernel compare = this->isUniform(word) ? kernels.compareOuter : kernels.compareAll;
-    compare(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    const std::size_t before = differing.size();
+    compareAll(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
+    this->prefetchSides(differing, before);
     if (differing.size() >= atOnce)
     {
       this->moveDiffering(differing, silhouette);
@@ -113,17 +108,23 @@ void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
   this->moveDiffering(differing, silhouette);
 }
 
+/// Has the processor fetch what moveDiffering() will read, from a place in the list on.
+void EdgeScan::prefetchSides(const std::vector<DifferingEdge>& differing, std::size_t begin) const
+{
+  for (std::size_t index = begin; index < differing.size(); ++index)
+  {
+    const std::uint32_t triangle = differing[index].first;
+    prefetch(&this->geometry.getTriangles()[triangle], 1);
+    prefetch(&this->geometry.getReversed().getWords()[triangle >> 6], 1);
+  }
+}
+
 /// Turns what was found into silhouette edges; the list is empty afterwards.
 void EdgeScan::moveDiffering(std::vector<DifferingEdge>& differing,
                              std::vector<SilhouetteEdge>& silhouette) const
 {
-  for (std::size_t index = 0; index < differing.size(); ++index)
+  for (const DifferingEdge& edge : differing)
   {
-    if (index + farAhead < differing.size())
-    {
-      prefetch(&this->geometry.getTriangles()[differing[index + farAhead].first], 1);
-    }
-    const DifferingEdge& edge = differing[index];
     addSide(this->geometry, edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second),
             silhouette);
   }

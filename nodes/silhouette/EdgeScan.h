@@ -33,8 +33,8 @@ public:
 
 private:
   int getSign(std::uint32_t triangle) const;
+  void prefetchSides(const std::vector<DifferingEdge>& differing, std::size_t begin) const;
   void moveDiffering(std::vector<DifferingEdge>& differing, std::vector<SilhouetteEdge>& silhouette) const;
-  bool isUniform(std::uint32_t word) const;
 
   const SEDGeometry& geometry;
   const LightFacing& facing;

@@ -28,15 +28,17 @@ void HierarchicalSilhouette::face(const SEDGeometry& geometry, const glm::dvec4&
   std::vector<std::uint32_t>& mixed = *facing.mixedWords;
   mixed.clear();
   geometry.getClusterTree().classify(decider.getScaledLight(), facing.towards, facing.away, mixed);
-  constexpr std::size_t ahead = 4;
+  constexpr std::size_t ahead = 8;
+  std::vector<std::uint32_t> doubtful;
   for (std::size_t index = 0; index < mixed.size(); ++index)
   {
     if (index + ahead < mixed.size())
     {
       prefetch(&geometry.getPlaneBlocks()[mixed[index + ahead]], sizeof(PlaneBlock));
     }
-    decider.decide(mixed[index], std::size_t{mixed[index]} + 1, facing);
+    decider.compare(mixed[index], std::size_t{mixed[index]} + 1, facing, doubtful);
   }
+  decider.resolve(doubtful, facing);
 }
 
 std::vector<SilhouetteEdge> HierarchicalSilhouette::find(const SEDGeometry& geometry,

@@ -1,6 +1,7 @@
 // What instruction sets and clusters must not change.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 
@@ -39,32 +40,28 @@ TEST(PlaneBlock, EveryTriangle_HasASlotOfItsOwn)
 TEST(InstructionSets, RandomPlanes_GiveTheSameWords)
 {
   std::mt19937 random(1);
-  std::uniform_real_distribution<float> coordinate(-1.0f, 1.0f);
+  std::uniform_int_distribution<std::int16_t> units(-18000, 18000);
   std::vector<PlaneBlock> blocks(5);
   for (PlaneBlock& block : blocks)
   {
     for (std::size_t slot = 0; slot < PlaneBlock::triangles; ++slot)
     {
-      block.x[slot] = coordinate(random);
-      block.y[slot] = coordinate(random);
-      block.z[slot] = coordinate(random);
-      block.offset[slot] = coordinate(random);
+      block.xy[slot] = {units(random), units(random)};
+      block.zOffset[slot] = {units(random), units(random)};
     }
   }
   for (int round = 0; round < 100; ++round)
   {
-    const ScaledLight light{coordinate(random), coordinate(random), coordinate(random), coordinate(random),
-                            round % 2 == 0 ? 1e-6f : 0.3f};
+    const LightInUnits light{units(random), units(random), units(random), units(random),
+                             round % 2 == 0 ? 100 : 300000000};
     for (std::size_t word = 0; word < blocks.size(); ++word)
     {
       std::uint64_t towards = 0;
       std::uint64_t away = 0;
       for (std::size_t bit = 0; bit < PlaneBlock::triangles; ++bit)
       {
-        const PlaneBlock& block = blocks[word];
-        const std::size_t slot = PlaneBlock::slotOf(bit);
-        const float value = (block.x[slot] * light.x + block.y[slot] * light.y) +
-                            (block.z[slot] * light.z + block.offset[slot] * light.w);
+        const glm::dvec4 plane = blocks[word].get(bit) * PlaneBlock::unitsInOne;
+        const double value = glm::dot(plane, glm::dvec4(light.x, light.y, light.z, light.w));
         towards |= std::uint64_t{value > light.bound} << bit;
         away |= std::uint64_t{value < -light.bound} << bit;
       }
@@ -75,6 +72,52 @@ TEST(InstructionSets, RandomPlanes_GiveTheSameWords)
         getPlaneKernel(set)(blocks.data(), blocks.size(), light, up.data(), down.data());
         EXPECT_EQ(up[word], towards) << static_cast<int>(set);
         EXPECT_EQ(down[word], away) << static_cast<int>(set);
+      }
+    }
+  }
+}
+
+TEST(LightInUnits, AnyLight_DoesNotOverflowAndBoundsTheError)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  for (int round = 0; round < 20000; ++round)
+  {
+    const double reach = std::ldexp(1.0, round % 41 - 20);
+    glm::dvec4 light(coordinate(random), coordinate(random), coordinate(random), round % 3 == 0 ? 0.0 : 1.0);
+    light = glm::dvec4(glm::dvec3(light) * std::ldexp(reach, round % 17 - 8), light.w);
+    if (round % 5 == 0)
+    {
+      // One product is all there is, as large as it gets.
+      light.x = light.y = 0.0;
+    }
+    const ScaledLight scaled = scaleLight(light, reach);
+    const LightInUnits inUnits = toUnits(scaled);
+    const glm::dvec4 inReach(glm::dvec3(light), light.w * reach);
+    for (int other = 0; other < 20; ++other)
+    {
+      // Half of the planes lie as the light does, where values are largest.
+      glm::dvec3 normal(coordinate(random), coordinate(random), coordinate(random));
+      normal = glm::normalize(other % 2 == 0 ? normal : glm::dvec3(light));
+      const double offset = other % 4 == 1 ? 1.0 : coordinate(random);
+      PlaneBlock block;
+      block.set(5, normal, offset);
+      const glm::dvec4 units = glm::round(block.get(5) * PlaneBlock::unitsInOne);
+      const double value = glm::dot(units, glm::dvec4(inUnits.x, inUnits.y, inUnits.z, inUnits.w));
+      ASSERT_LT(std::abs(value), 0x1p31);
+      const double exact = glm::dot(glm::dvec4(normal, offset), inReach);
+      if (value > inUnits.bound)
+      {
+        ASSERT_GT(exact, 0.0);
+      }
+      else if (value < -inUnits.bound)
+      {
+        ASSERT_LT(exact, 0.0);
+      }
+      // No more is left open than has to be.
+      else
+      {
+        ASSERT_LT(std::abs(exact), 5e-4 * glm::length(inReach));
       }
     }
   }
@@ -116,6 +159,12 @@ TEST(InstructionSets, AnyFacing_GiveTheSameEdges)
     std::vector<std::uint64_t> away(words);
     std::generate(towards.begin(), towards.end(), random);
     std::generate(away.begin(), away.end(), random);
+    // Words whose triangles are all alike, with and without neighbours of the same kind.
+    for (std::size_t word = 0; word < words; word += 3)
+    {
+      towards[word] = random() % 2 == 0 ? 0 : ~std::uint64_t{0};
+      away[word] = word % 2 == 0 ? ~towards[word] : away[word];
+    }
     for (const bool both : {false, true})
     {
       std::vector<DifferingEdge> expected;
@@ -132,9 +181,8 @@ TEST(InstructionSets, AnyFacing_GiveTheSameEdges)
       for (const InstructionSet set : getInstructionSets())
       {
         std::vector<DifferingEdge> found;
-        const EdgeKernels kernels = getEdgeKernels(set);
         const std::uint64_t* second = both ? away.data() : nullptr;
-        kernels.compareAll(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
+        getEdgeKernel(set)(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
         ASSERT_EQ(found.size(), expected.size()) << static_cast<int>(set);
         for (DifferingEdge& edge : found)
         {
