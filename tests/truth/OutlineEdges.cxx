@@ -137,13 +137,6 @@ enum class Shown
   Yes
 };
 
-Shown isSilhouette(int sideOfOne, int sideOfOther)
-{
-  return sideOfOne == 0 || sideOfOther == 0 ? Shown::Perhaps
-         : sideOfOne == sideOfOther         ? Shown::Yes
-                                            : Shown::No;
-}
-
 Shown isCrease(const LocalTriangle& one, const LocalTriangle& other, double limit)
 {
   // Both begin with the edge, so neighbours that go on flat have opposite normals here.
@@ -160,18 +153,25 @@ void EdgeJudge::judge(const std::vector<std::uint32_t>& numbers, const Side* fir
                       std::vector<OutlineEdge>& edges) const
 {
   const LocalTriangle one = this->turn(numbers, *first);
-  const int sideOfOne = sideOfPlane(one, this->eye, this->rounding);
-  OutlineEdge edge{one.a, one.b, {one.index, noNeighbour}, true, last - first == 1 ? sideOfOne : 0};
-  Shown shown = Shown::Yes;
+  int left = 0;
+  int right = 0;
+  for (const Side* side = first; side < last; ++side)
+  {
+    const int towards = sideOfPlane(this->turn(numbers, *side), this->eye, this->rounding);
+    left += towards > 0 ? 1 : 0;
+    right += towards < 0 ? 1 : 0;
+  }
+  const bool isBorder = last - first == 1;
+  const bool isDoubtful = !isBorder && (left + right < last - first || (left == right && left > 1));
+  Shown shown = isDoubtful ? Shown::Perhaps : isBorder || left != right ? Shown::Yes : Shown::No;
+  OutlineEdge edge{one.a, one.b, {one.index, noNeighbour}, true, 0};
+  edge.inside = left > 0 && right > 0 ? 0 : left > 0 ? 1 : right > 0 ? -1 : 0;
   if (last - first == 2)
   {
-    const LocalTriangle other = this->turn(numbers, first[1]);
-    edge.triangles[1] = other.index;
-    shown = isSilhouette(sideOfOne, sideOfPlane(other, this->eye, this->rounding));
-    edge.inside = shown == Shown::Yes ? sideOfOne : 0;
+    edge.triangles[1] = first[1].triangle;
     if (this->creaseDegrees)
     {
-      shown = std::max(shown, isCrease(one, other, *this->creaseDegrees));
+      shown = std::max(shown, isCrease(one, this->turn(numbers, first[1]), *this->creaseDegrees));
     }
   }
   if (shown != Shown::No)

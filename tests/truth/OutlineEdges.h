@@ -28,10 +28,12 @@ struct OutlineEdge
 /// Finds the edges of a scene that its outline consists of: those where a surface turns away from the eye,
 /// its borders, and creases where they are asked for.
 ///
-/// Triangles are neighbours when they are of one part and two of their corners are equal. An edge of two
-/// triangles is on the silhouette when both lie on one side of the plane through edge and eye, however they
-/// are wound. An edge of one triangle, or of three or more, is shown from everywhere. Triangles with two
-/// equal corners, or with a coordinate that is not finite, are left out.
+/// Triangles are neighbours when they are of one part and two of their corners are equal. An edge is on the
+/// silhouette when more of its triangles lie on one side of the plane through edge and eye than on the
+/// other, however they are wound: of two triangles both, and of three always, for one of them is left when
+/// the others have been paired. With two or more on each side it is uncertain, as it depends on which are
+/// paired. A border is shown from everywhere. Triangles with two equal corners, or with a coordinate that is
+/// not finite, are left out.
 ///
 /// @param creaseDegrees  the least angle between the normals of a crease's triangles; none: no creases
 /// @par Cost  O(n log n)
