@@ -35,6 +35,7 @@ const std::vector<Method>& silhouetteMethods()
       {"visible-nonvisible", "VnV: edges with one neighbour that faces the light"},
       {"hybrid", "HSD: TA on polygons merged from coplanar triangles"},
       {"hierarchical", "only clusters of triangles that do not face the light as one, on the CPU"},
+      {"topology-aware-mesh", "TAM: each triangle compares itself with its neighbours"},
       {"facing-texture", "facing drawn into a texture by the GPU and read back"},
       {"facing-texture-resident", "the same without reading it back"},
       {"vertex-texture", "the state of every edge drawn into a texture by the GPU"},

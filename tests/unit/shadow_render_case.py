@@ -15,8 +15,8 @@ import shadow_render_files as files
 PROGRAM = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else "shadow_render"
 
 SILHOUETTES = ["auto", "brute-force", "edge-buffer", "triangular", "visible-nonvisible", "hybrid",
-               "hierarchical", "facing-texture", "facing-texture-resident", "vertex-texture", "vertex-extrusion",
-               "geometry-shader", "compute"]
+               "hierarchical", "topology-aware-mesh", "facing-texture", "facing-texture-resident", "vertex-texture",
+               "vertex-extrusion", "geometry-shader", "compute"]
 
 # From straight above, the x axis to the right and the z axis down; 15 pixels are one unit of the scene.
 FROM_ABOVE = ["--size", "120x90", "--camera", "0,10,0,0,0,0,0,0,-1,30", "--parallel", "3"]
