@@ -134,6 +134,19 @@ const AdjacentTriangles& SEDGeometryDrawable::getAdjacentTriangles()
   return *this->adjacentTriangles;
 }
 
+bool SEDGeometryDrawable::bindFaceTexels(vtkOpenGLState* state, unsigned int program, int firstUnit,
+                                         std::string& error)
+{
+  if (!this->positionTexels.attach(this->vertexBuffer, 3 * this->vertices, error) ||
+      !this->cornerTexels.attach(this->indexBuffer, 3 * this->triangles, error))
+  {
+    return false;
+  }
+  this->positionTexels.bind(state, program, firstUnit, "positionTexels");
+  this->cornerTexels.bind(state, program, firstUnit + 1, "cornerTexels");
+  return true;
+}
+
 void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits)
 {
   glBindVertexArray(this->vertexArray);
@@ -208,6 +221,8 @@ void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, unsigned int hiddenS
 
 void SEDGeometryDrawable::release(bool contextLost)
 {
+  this->positionTexels.release(contextLost);
+  this->cornerTexels.release(contextLost);
   if (!contextLost)
   {
     glDeleteVertexArrays(1, &this->vertexArray);

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "AdjacentTriangles.h"
+#include "BufferTexels.h"
 #include "Node.h"
 #include "SEDGeometry.h"
 
@@ -74,6 +76,13 @@ public:
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost);
 
+  /// Binds positions and corners as textures, and sets the program's samplers: see shaders/outlineFaces.glsl.
+  /// @param program    name of a GL program that is current
+  /// @param firstUnit  texture unit; faceTexelUnits are used
+  /// @return false with a line in @p error when the GL cannot look up a mesh of this size
+  bool bindFaceTexels(vtkOpenGLState* state, unsigned int program, int firstUnit, std::string& error);
+  static constexpr int faceTexelUnits = 2;
+
   /// Vertices of the pre-pass, those of the triangles first.
   std::size_t getVertexCount() const { return this->vertices; }
 
@@ -92,6 +101,8 @@ private:
   unsigned int sortedIndexBuffer = 0;  ///< triangles whose raster order is the input's come first
   std::size_t unreversedTriangles = 0; ///< these
   std::unique_ptr<AdjacentTriangles> adjacentTriangles;
+  BufferTexels positionTexels{BufferTexels::Number::Float};
+  BufferTexels cornerTexels{BufferTexels::Number::Unsigned};
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   std::size_t bytes = 0;

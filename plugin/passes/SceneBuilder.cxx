@@ -122,8 +122,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   if (!isInvertible(transform->matrix))
   {
     const std::string reason = "its transform flattens it or is not finite";
-    this->skip(actor, reason);
-    this->errors.push_back(transform->name + " has no shadow: " + reason);
+    this->refuse(transform->name, reason, settings);
     return;
   }
   transform->clearChildren();
@@ -172,10 +171,15 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
   }
   if (!mesh.error.empty())
   {
-    this->skipped.insert({name, mesh.error});
-    this->errors.push_back(name + " has no shadow: " + mesh.error);
+    this->refuse(name, mesh.error, settings);
   }
   return mesh.geode;
+}
+
+void SceneBuilder::refuse(const std::string& name, const std::string& reason, const Settings& settings)
+{
+  this->skipped.insert({name, reason});
+  this->errors.push_back(name + " has no " + settings.product + ": " + reason);
 }
 
 std::string SceneBuilder::describe(vtkProp* prop) const

@@ -1,0 +1,90 @@
+#include "LineDrawable.h"
+
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+#include "SEDGeometryDrawable.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+constexpr int verticesOfLine = 6;
+
+/// One number an edge: face * 4 + edge.
+std::vector<std::uint32_t> toCodes(const std::vector<FaceEdges>& lines)
+{
+  std::vector<std::uint32_t> codes;
+  codes.reserve(lines.size() + lines.size() / 4);
+  for (const FaceEdges& line : lines)
+  {
+    for (std::uint32_t edge = 0; edge < 3; ++edge)
+    {
+      if ((line.edges >> edge & 1u) != 0)
+      {
+        codes.push_back(4 * line.face + edge);
+      }
+    }
+  }
+  return codes;
+}
+
+} // namespace
+
+bool LineDrawable::upload(const std::vector<FaceEdges>& lines, std::string& error)
+{
+  const std::vector<std::uint32_t> codes = toCodes(lines);
+  this->edges = codes.size();
+  this->bytes = codes.size() * sizeof(codes[0]);
+  if (codes.empty())
+  {
+    return true;
+  }
+  if (this->buffer == 0)
+  {
+    glGenBuffers(1, &this->buffer);
+  }
+  glBindBuffer(GL_TEXTURE_BUFFER, this->buffer);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->bytes), codes.data(), GL_STREAM_DRAW);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  return this->texels.attach(this->buffer, codes.size(), error);
+}
+
+bool LineDrawable::draw(vtkOpenGLState* state, vtkShaderProgram* program, SEDGeometryDrawable& mesh,
+                        std::string& error)
+{
+  if (this->edges == 0)
+  {
+    return true;
+  }
+  const auto handle = static_cast<unsigned int>(program->GetHandle());
+  if (!mesh.bindFaceTexels(state, handle, firstUnit, error))
+  {
+    return false;
+  }
+  const int lineUnit = firstUnit + SEDGeometryDrawable::faceTexelUnits;
+  this->texels.bind(state, handle, lineUnit, "lines");
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(verticesOfLine * this->edges));
+  for (int unit = firstUnit; unit <= lineUnit; ++unit)
+  {
+    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+  }
+  return true;
+}
+
+void LineDrawable::release(bool contextLost)
+{
+  this->texels.release(contextLost);
+  if (!contextLost && this->buffer != 0)
+  {
+    glDeleteBuffers(1, &this->buffer);
+  }
+  this->buffer = 0;
+  this->edges = this->bytes = 0;
+}
+
+} // namespace shadow
