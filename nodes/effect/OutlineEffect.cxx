@@ -92,7 +92,7 @@ public:
 
 private:
   OutlineEffect& effect;
-  const Light& eye;
+  Light eye;
 };
 
 bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view, const Settings& settings,
@@ -128,6 +128,7 @@ bool OutlineEffect::drawStages(vtkOpenGLRenderWindow* window, const View& wideVi
                                std::string& error)
 {
   Stopwatch stage;
+
   SurfaceCollector collector(*this, makeEye(wideView));
   this->accept(collector);
   for (const Surface& surface : this->surfaces)
