@@ -113,7 +113,7 @@ bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view,
   const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
   this->margin = static_cast<int>(std::ceil(0.5 * settings.lineWidth + softness)) + 1;
   const View wideView = widen(view, this->margin);
-  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, error))
+  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, settings.depthScale, error))
   {
     return false;
   }
