@@ -40,34 +40,37 @@ unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture, u
 
 } // namespace
 
-unsigned int OutlineTarget::makeTexture(unsigned int internalFormat, unsigned int format,
+unsigned int OutlineTarget::makeTexture(int scale, unsigned int internalFormat, unsigned int format,
                                         unsigned int type) const
 {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), this->width, this->height, 0, format,
-               type, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), scale * this->width,
+               scale * this->height, 0, format, type, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   return texture;
 }
 
-bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, std::string& error)
+bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newDepthScale,
+                             std::string& error)
 {
-  if (this->depthFramebuffer != 0 && newWidth == this->width && newHeight == this->height)
+  if (this->depthFramebuffer != 0 && newWidth == this->width && newHeight == this->height &&
+      newDepthScale == this->depthScale)
   {
     return true;
   }
   this->release();
   this->width = newWidth;
   this->height = newHeight;
+  this->depthScale = newDepthScale;
   GLint before = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
-  this->depthTexture = this->makeTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
-  this->slopeTexture = this->makeTexture(GL_RG32F, GL_RG, GL_FLOAT);
-  this->lineTexture = this->makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+  this->depthTexture = this->makeTexture(newDepthScale, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+  this->slopeTexture = this->makeTexture(newDepthScale, GL_RG32F, GL_RG, GL_FLOAT);
+  this->lineTexture = this->makeTexture(1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
   glGenVertexArrays(1, &this->emptyVertexArray);
   this->depthFramebuffer = makeFramebuffer(state, this->slopeTexture, this->depthTexture);
@@ -82,12 +85,12 @@ bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight,
   return true;
 }
 
-void OutlineTarget::setUp(vtkOpenGLState* state, unsigned int framebuffer) const
+void OutlineTarget::setUp(vtkOpenGLState* state, unsigned int framebuffer, int scale) const
 {
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   const GLenum drawBuffer = GL_COLOR_ATTACHMENT0;
   glDrawBuffers(1, &drawBuffer);
-  state->vtkglViewport(0, 0, this->width, this->height);
+  state->vtkglViewport(0, 0, scale * this->width, scale * this->height);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_STENCIL_TEST);
   state->vtkglDisable(GL_CULL_FACE);
@@ -101,7 +104,7 @@ void OutlineTarget::setUp(vtkOpenGLState* state, unsigned int framebuffer) const
 
 void OutlineTarget::beginDepth(vtkOpenGLState* state, bool reversedDepth)
 {
-  this->setUp(state, this->depthFramebuffer);
+  this->setUp(state, this->depthFramebuffer, this->depthScale);
   state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
@@ -112,7 +115,7 @@ void OutlineTarget::beginDepth(vtkOpenGLState* state, bool reversedDepth)
 
 void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program)
 {
-  this->setUp(state, this->lineFramebuffer);
+  this->setUp(state, this->lineFramebuffer, 1);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_MAX);
@@ -120,6 +123,7 @@ void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program)
   bindTexture(state, slopeUnit, this->slopeTexture);
   program->SetUniformi("depths", depthUnit);
   program->SetUniformi("slopes", slopeUnit);
+  program->SetUniformf("depthScale", static_cast<float>(this->depthScale));
   glBindVertexArray(this->emptyVertexArray);
 }
 
@@ -185,8 +189,9 @@ void OutlineTarget::release(bool contextLost)
 
 std::size_t OutlineTarget::getMemorySize() const
 {
-  // 4 bytes depth, 8 bytes slope, 4 bytes lines
-  return std::size_t{16} * static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height);
+  // 4 bytes lines; 4 bytes depth and 8 bytes slope
+  const std::size_t pixels = static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height);
+  return (4 + 12 * static_cast<std::size_t>(this->depthScale * this->depthScale)) * pixels;
 }
 
 } // namespace shadow

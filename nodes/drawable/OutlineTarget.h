@@ -21,8 +21,9 @@ public:
   OutlineTarget& operator=(const OutlineTarget&) = delete;
 
   /// Makes the targets this large; does nothing when they are.
+  /// @param depthScale  pixels of pass 1 for one of the lines, in each direction
   /// @return false with a line in @p error when the GL refuses
-  bool allocate(vtkOpenGLState* state, int width, int height, std::string& error);
+  bool allocate(vtkOpenGLState* state, int width, int height, int depthScale, std::string& error);
 
   /// Binds and clears depth and slope, and sets GL up to draw surfaces there.
   void beginDepth(vtkOpenGLState* state, bool reversedDepth);
@@ -51,8 +52,9 @@ public:
   std::size_t getMemorySize() const;
 
 private:
-  unsigned int makeTexture(unsigned int internalFormat, unsigned int format, unsigned int type) const;
-  void setUp(vtkOpenGLState* state, unsigned int framebuffer) const;
+  unsigned int makeTexture(int scale, unsigned int internalFormat, unsigned int format,
+                           unsigned int type) const;
+  void setUp(vtkOpenGLState* state, unsigned int framebuffer, int scale) const;
 
   unsigned int depthFramebuffer = 0;
   unsigned int lineFramebuffer = 0;
@@ -62,6 +64,7 @@ private:
   unsigned int emptyVertexArray = 0;
   int width = 0;
   int height = 0;
+  int depthScale = 1;
 };
 
 } // namespace shadow

@@ -92,7 +92,7 @@ public:
 
 private:
   OutlineEffect& effect;
-  const Light& eye;
+  Light eye;
 };
 
 bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view, const Settings& settings,
@@ -113,7 +113,7 @@ bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view,
   const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
   this->margin = static_cast<int>(std::ceil(0.5 * settings.lineWidth + softness)) + 1;
   const View wideView = widen(view, this->margin);
-  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, error))
+  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, settings.depthScale, error))
   {
     return false;
   }
@@ -128,6 +128,7 @@ bool OutlineEffect::drawStages(vtkOpenGLRenderWindow* window, const View& wideVi
                                std::string& error)
 {
   Stopwatch stage;
+
   SurfaceCollector collector(*this, makeEye(wideView));
   this->accept(collector);
   for (const Surface& surface : this->surfaces)

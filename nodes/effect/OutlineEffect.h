@@ -44,6 +44,7 @@ public:
     bool border = true;
     bool crease = false;
     double featureAngle = 60.0;   ///< degrees, of creases
+    int depthScale = 2;           ///< pixels of pass 1 for one of the view, in each direction
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
 
