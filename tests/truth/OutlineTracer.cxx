@@ -77,6 +77,12 @@ bool OutlineTracer::isHidden(const OutlineEdge& edge, const glm::dvec2& pixel, d
   return this->caster.isCovered(point, rounding, ray, edge.triangles);
 }
 
+bool OutlineTracer::seesEdgeOf(const OutlineEdge& edge, const glm::dvec2& pixel) const
+{
+  const std::optional<Hit> hit = this->caster.firstHit(this->rays.through(pixel.x, pixel.y));
+  return hit && (hit->triangle == edge.triangles[0] || hit->triangle == edge.triangles[1]);
+}
+
 OutlineTracer::Sight OutlineTracer::look(const OutlineEdge& edge, const Track& track, double at) const
 {
   const glm::dvec2 pixel = glm::mix(track.from, track.to, at);
@@ -87,19 +93,34 @@ OutlineTracer::Sight OutlineTracer::look(const OutlineEdge& edge, const Track& t
   const double height = mix(track.clipFrom, track.clipTo, wayInClip(at, track.clipFrom.w, track.clipTo.w)).z;
   const bool hidden = this->isHidden(edge, pixel, height);
   const glm::dvec2 way = track.to - track.from;
-  if (edge.inside != 0 && glm::length(way) > 0.0)
+  if (glm::length(way) == 0.0)
   {
-    const glm::dvec2 ahead = this->offset * glm::normalize(way);
-    const glm::dvec2 outwards = static_cast<double>(edge.inside) * glm::dvec2(ahead.y, -ahead.x);
-    for (const double along : {0.0, -1.0, 1.0})
+    return hidden ? Sight::Hidden : Sight::Visible;
+  }
+  const glm::dvec2 ahead = glm::normalize(way);
+  const glm::dvec2 right(ahead.y, -ahead.x);
+  if (hidden)
+  {
+    for (const double side : {1.0, -1.0})
     {
-      if (this->isHidden(edge, pixel + outwards + along * ahead, height) != hidden)
+      const glm::dvec2 beside = pixel + side * this->offsets.hidden * right;
+      const bool isOutside = side * edge.inside > 0.0;
+      if (this->seesEdgeOf(edge, beside) || (isOutside && !this->isHidden(edge, beside, height)))
       {
         return Sight::Perhaps;
       }
     }
+    return Sight::Hidden;
   }
-  return hidden ? Sight::Hidden : Sight::Visible;
+  for (const double along : {0.0, -1.0, 1.0})
+  {
+    const glm::dvec2 outwards = static_cast<double>(edge.inside) * right + along * ahead;
+    if (edge.inside != 0 && this->isHidden(edge, pixel + this->offsets.visible * outwards, height))
+    {
+      return Sight::Perhaps;
+    }
+  }
+  return Sight::Visible;
 }
 
 void OutlineTracer::trace(const OutlineEdge& edge, std::vector<OutlinePiece>& pieces) const
@@ -113,7 +134,7 @@ void OutlineTracer::trace(const OutlineEdge& edge, std::vector<OutlinePiece>& pi
   const int steps = std::max(1, static_cast<int>(std::ceil(length / stride)));
   const auto at = [&](int step) { return track.first + (track.last - track.first) * step / steps; };
   // At an edge's very ends what is beside it may be the surface of the next edge.
-  const double inwards = std::min(0.25, 3.0 * this->offset / glm::distance(track.from, track.to));
+  const double inwards = std::min(0.25, 3.0 * this->offsets.visible / glm::distance(track.from, track.to));
   const auto lookAt = [&](int step)
   {
     const double least = track.wholeFrom ? inwards : 0.0;

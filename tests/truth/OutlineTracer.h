@@ -13,9 +13,9 @@ class OutlineTracer
 public:
   /// @param scene  the caster's
   /// @param reach  how far outside the view edges are still followed, in pixels
-  OutlineTracer(const RayCaster& theCaster, const PixelRays& theRays, const View& view, double theOffset,
-                double theReach)
-      : caster(theCaster), rays(theRays), size(view.width, view.height), offset(theOffset), reach(theReach)
+  OutlineTracer(const RayCaster& theCaster, const PixelRays& theRays, const View& view,
+                const OutlineOffsets& theOffsets, double theReach)
+      : caster(theCaster), rays(theRays), size(view.width, view.height), offsets(theOffsets), reach(theReach)
   {
   }
 
@@ -45,12 +45,13 @@ private:
 
   bool follow(const OutlineEdge& edge, Track& track) const;
   Sight look(const OutlineEdge& edge, const Track& track, double at) const;
+  bool seesEdgeOf(const OutlineEdge& edge, const glm::dvec2& pixel) const;
   bool isHidden(const OutlineEdge& edge, const glm::dvec2& pixel, double height) const;
 
   const RayCaster& caster;
   const PixelRays& rays;
   glm::ivec2 size;
-  double offset;
+  OutlineOffsets offsets;
   double reach;
 };
 

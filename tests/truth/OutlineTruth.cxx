@@ -67,7 +67,7 @@ OutlineTruth::OutlineTruth(const Scene& scene, const View& view, const OutlineOp
   const double reach = 0.5 * options.widest + margin;
   const RayCaster caster(scene);
   const PixelRays rays(view, caster.originWC());
-  const OutlineTracer tracer(caster, rays, view, options.offset, reach);
+  const OutlineTracer tracer(caster, rays, view, options.offsets, reach);
   this->lines = traceEdges(findOutlineEdges(scene, rays, caster.originWC(), options.creaseDegrees), tracer);
   for (const OutlinePiece& piece : this->lines)
   {

@@ -9,14 +9,24 @@
 namespace shadow::truth
 {
 
+/// How far beside a point of an edge its sight has to be the same to be certain, in pixels.
+struct OutlineOffsets
+{
+  /// A visible point is certain when points so far outside the surface that ends in the edge, and as far from
+  /// the eye as the edge, are visible, too. As far as rasterisers may move a vertex.
+  double visible = 1.0 / 64.0;
+
+  /// A hidden point is certain when so far outside that surface a point is hidden, too, and so far on either
+  /// side none of the edge's own triangles is seen.
+  double hidden = 1.0 / 64.0;
+};
+
 /// What an outline shows, and how well its truth is known.
 struct OutlineOptions
 {
   std::optional<double> creaseDegrees = std::nullopt; ///< none: silhouette and borders only
 
-  /// A point of an edge is certainly visible when it and three points so many pixels outside the surface that
-  /// ends there are, as far from the eye as the edge; and certainly hidden when all of them are hidden.
-  double offset = 1.0 / 64.0;
+  OutlineOffsets offsets;
 
   /// Widest line that will be asked for, in pixels.
   double widest = 8.0;
