@@ -85,6 +85,19 @@ TopologyAwareMesh::TopologyAwareMesh(const SEDGeometry& geometry)
   const std::size_t faces = geometry.getTriangles().size();
   this->neighbours.assign(faces, {noTriangle, noTriangle, noTriangle});
   this->normals.resize(faces);
+  for (std::size_t face = 0; face < faces; ++face)
+  {
+    const glm::dvec3 normal = geometry.getPlane(face).normal;
+    const double length = glm::length(normal);
+    this->normals[face] = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
+  }
+  this->linkNeighbours(geometry);
+  this->pairBorders(geometry);
+  this->findStandIns(geometry);
+}
+
+void TopologyAwareMesh::linkNeighbours(const SEDGeometry& geometry)
+{
   const EdgeTable& table = geometry.getEdgeTable();
   for (std::size_t word = 0; word < table.words.size(); ++word)
   {
@@ -119,13 +132,68 @@ TopologyAwareMesh::TopologyAwareMesh(const SEDGeometry& geometry)
       }
     }
   }
-  for (std::size_t face = 0; face < faces; ++face)
+}
+
+// Borders at the same place, two of them, along which their faces run the same way.
+void TopologyAwareMesh::pairBorders(const SEDGeometry& geometry)
+{
+  struct Place
   {
-    const glm::dvec3 normal = geometry.getPlane(face).normal;
-    const double length = glm::length(normal);
-    this->normals[face] = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
+    std::array<float, 6> ends; ///< positions, the lesser one first
+    bool forwards;             ///< the oriented face runs from there
+    std::uint32_t side;
+  };
+  std::vector<Place> places;
+  for (const std::uint32_t side : geometry.getEdgeTable().borders)
+  {
+    const std::array<std::uint32_t, 2> vertices = geometry.getSide(side / 3, side % 3);
+    const glm::vec3& from = geometry.getPositions()[vertices[0]];
+    const glm::vec3& to = geometry.getPositions()[vertices[1]];
+    const std::array<float, 6> there = {from.x, from.y, from.z, to.x, to.y, to.z};
+    const std::array<float, 6> back = {to.x, to.y, to.z, from.x, from.y, from.z};
+    places.push_back({std::min(there, back), there < back, side});
   }
-  this->findStandIns(geometry);
+  std::sort(places.begin(), places.end(),
+            [](const Place& a, const Place& b)
+            { return a.ends != b.ends ? a.ends < b.ends : a.side < b.side; });
+  for (std::size_t first = 0; first < places.size();)
+  {
+    std::size_t end = first + 1;
+    while (end < places.size() && places[end].ends == places[first].ends)
+    {
+      ++end;
+    }
+    if (end - first == 2 && places[first].forwards == places[first + 1].forwards)
+    {
+      this->turnedPairs.push_back({places[first].side, places[first + 1].side});
+      this->turnedPairs.push_back({places[first + 1].side, places[first].side});
+    }
+    else
+    {
+      for (; first < end; ++first)
+      {
+        this->borders.push_back(places[first].side);
+      }
+    }
+    first = end;
+  }
+  std::sort(this->borders.begin(), this->borders.end());
+  std::sort(this->turnedPairs.begin(), this->turnedPairs.end(),
+            [](const TurnedPair& a, const TurnedPair& b) { return a.side < b.side; });
+}
+
+glm::vec3 TopologyAwareMesh::getNeighbourNormal(std::size_t face, std::size_t edge) const
+{
+  const std::uint32_t neighbour = this->neighbours[face][edge];
+  if (neighbour != noTriangle)
+  {
+    return this->normals[neighbour];
+  }
+  const auto side = static_cast<std::uint32_t>(3 * face + edge);
+  const auto pair = std::lower_bound(this->turnedPairs.begin(), this->turnedPairs.end(), side,
+                                     [](const TurnedPair& a, std::uint32_t b) { return a.side < b; });
+  const bool turned = pair != this->turnedPairs.end() && pair->side == side;
+  return -this->normals[turned ? pair->other / 3 : face];
 }
 
 // From face to face across their longest edges, which only get longer, until one has an area.
@@ -186,9 +254,17 @@ void TopologyAwareMesh::findLines(const SEDGeometry& geometry, const LightFacing
       addSilhouette(table, facing.towards, word, lines);
     }
   }
+  for (const TurnedPair& pair : this->turnedPairs)
+  {
+    if (kinds.silhouette && pair.side < pair.other &&
+        facing.towards.test(pair.side / 3) == facing.towards.test(pair.other / 3))
+    {
+      lines.push_back({pair.side / 3, 1u << pair.side % 3});
+    }
+  }
   if (kinds.border)
   {
-    for (const std::uint32_t border : table.borders)
+    for (const std::uint32_t border : this->borders)
     {
       lines.push_back({border / 3, 1u << border % 3});
     }
@@ -204,21 +280,21 @@ std::vector<FaceEdges> TopologyAwareMesh::findCreases(const SEDGeometry& geometr
 {
   const double largestCosine = std::cos(std::clamp(degrees, 0.0, 180.0) * 3.14159265358979323846 / 180.0);
   std::vector<FaceEdges> creases;
-  forEachEdge(geometry.getEdgeTable(),
-              [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)
-              {
-                if (second == noTriangle)
-                {
-                  return;
-                }
-                const glm::dvec3 one(this->normals[first]);
-                const glm::dvec3 other(this->normals[second]);
-                if (one != glm::dvec3(0.0) && other != glm::dvec3(0.0) &&
-                    glm::dot(one, other) < largestCosine)
-                {
-                  creases.push_back({first, 1u << side});
-                }
-              });
+  const auto add = [&](std::uint32_t face, std::uint32_t edge)
+  {
+    const glm::dvec3 one(this->normals[face]);
+    const glm::dvec3 other(this->getNeighbourNormal(face, edge));
+    if (one != glm::dvec3(0.0) && other != glm::dvec3(0.0) && glm::dot(one, other) < largestCosine)
+    {
+      creases.push_back({face, 1u << edge});
+    }
+  };
+  forEachEdge(geometry.getEdgeTable(), [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)
+              { second != noTriangle ? add(first, side) : void(); });
+  for (const TurnedPair& pair : this->turnedPairs)
+  {
+    pair.side < pair.other ? add(pair.side / 3, pair.side % 3) : void();
+  }
   gather(creases);
   return creases;
 }
@@ -227,6 +303,8 @@ std::size_t TopologyAwareMesh::getMemorySize() const
 {
   return this->neighbours.capacity() * sizeof(this->neighbours[0]) +
          this->normals.capacity() * sizeof(this->normals[0]) +
+         this->borders.capacity() * sizeof(this->borders[0]) +
+         this->turnedPairs.capacity() * sizeof(this->turnedPairs[0]) +
          this->standIns.capacity() * sizeof(this->standIns[0]);
 }
 

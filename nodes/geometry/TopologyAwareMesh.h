@@ -42,7 +42,9 @@ struct FaceEdges
 ///
 /// An edge without a neighbour has the negated normal of its own face, and so is always on the silhouette.
 /// Where three or more triangles meet in an edge, SEDGeometry has paired them: each pair is an edge with two
-/// faces, and who is left has a border there, always drawn.
+/// faces, and who is left has a border there, always drawn. Two faces that are left and run through the edge
+/// the same way, as where a surface that cannot be oriented is cut, are neighbours of which each sees the
+/// other turned over: they are on the silhouette when they face the eye as one.
 ///
 /// A face without area has no side. It takes the normal and the facing of the face across its longest edge,
 /// so that a T-junction which such a face closes draws no line across a smooth surface.
@@ -59,7 +61,7 @@ public:
 
   std::size_t countFaces() const { return this->normals.size(); }
 
-  /// The face across an edge, or noTriangle on a border.
+  /// The face across an edge, or noTriangle on a border and where the neighbour is turned over.
   std::uint32_t getNeighbour(std::size_t face, std::size_t edge) const
   {
     return this->neighbours[face][edge];
@@ -68,12 +70,9 @@ public:
   /// The face's own normal, as it is oriented: of length 1, or zero where no neighbour gives it one.
   const glm::vec3& getNormal(std::size_t face) const { return this->normals[face]; }
 
-  /// The normal stored for an edge: the neighbour's, or the negated own one on a border.
-  glm::vec3 getNeighbourNormal(std::size_t face, std::size_t edge) const
-  {
-    const std::uint32_t neighbour = this->neighbours[face][edge];
-    return neighbour == noTriangle ? -this->normals[face] : this->normals[neighbour];
-  }
+  /// The normal stored for an edge: the neighbour's, that of a neighbour that is turned over negated, or the
+  /// negated own one on a border.
+  glm::vec3 getNeighbourNormal(std::size_t face, std::size_t edge) const;
 
   /// Gives each face without area the bits of the face that stands in for it. Every facing that is handed to
   /// findLines() has to be completed; LightFacing::mixedWords stays right.
@@ -118,11 +117,21 @@ private:
     std::uint32_t face; ///< without area
     std::uint32_t source;
   };
+  /// Two sides, 3 * face + edge, of faces that are turned over to one another.
+  struct TurnedPair
+  {
+    std::uint32_t side;
+    std::uint32_t other;
+  };
+  void linkNeighbours(const SEDGeometry& geometry);
+  void pairBorders(const SEDGeometry& geometry);
   void findStandIns(const SEDGeometry& geometry);
 
   std::vector<std::array<std::uint32_t, 3>> neighbours;
   std::vector<glm::vec3> normals;
-  std::vector<StandIn> standIns; ///< a source comes before whoever it stands in for
+  std::vector<std::uint32_t> borders;  ///< sides without a neighbour, rising
+  std::vector<TurnedPair> turnedPairs; ///< each twice, rising by side
+  std::vector<StandIn> standIns;       ///< a source comes before whoever it stands in for
 };
 
 /// Bytes of the mesh that a topology-aware mesh is held against: 44 for each vertex (position, normal,
