@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // outlineEdge.frag - pass 2 of outlines: keeps the capsule around an edge, of what is visible of it. Blended by
 // maximum, so that of overlapping lines the nearest wins.
-// in   endsDC, endsDepth      see outlineEdge.vert
+// in   endsDC, endsDepth, outwards  see outlineEdge.vert
 // unif halfWidth  float       of a line, pixels
 // out  coverage   vec4        x visible, y hidden lines, both soft over one pixel; z, w the same, all or nothing
 // Source: Valient, "Hardware Generated Object Silhouettes", section 3.2
@@ -9,6 +9,7 @@
 uniform float halfWidth;
 flat in vec4 endsDC;
 flat in vec2 endsDepth;
+flat in vec2 outwards;
 out vec4 coverage;
 
 // A point of the edge, by its distance from the first end.
@@ -38,7 +39,7 @@ void main()
     discard;
   }
   vec2 whole = coverageAt(fromEdge);
-  if (isVisible(nearest))
+  if (isVisible(nearest, outwards))
   {
     coverage = vec4(whole.x, 0.0, whole.y, 0.0);
     return;
@@ -56,7 +57,7 @@ void main()
       {
         vec3 point = pointAt(other, length);
         vec2 found = coverageAt(distance(pixel, point.xy));
-        if (found.x > visible.x && isVisible(point))
+        if (found.x > visible.x && isVisible(point, outwards))
         {
           visible = found;
         }

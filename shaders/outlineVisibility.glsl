@@ -23,9 +23,10 @@ bool isBehind(ivec2 pixel, vec3 point)
   return nearSign * (there - point.z) > tolerance;
 }
 
-// Of a silhouette one side shows the surface it belongs to, or what lies beyond. So a point is hidden only when the
-// surfaces of all four pixels around it are in front of it.
-bool isVisible(vec3 pointDC)
+// A point of an edge is hidden when all around it is in front of it. Where the surface ends, only what lies beyond
+// counts: the surface itself may bulge towards the eye, or come out from under another one close by.
+// outwards  the side that counts; zero: all around
+bool isVisible(vec3 pointDC, vec2 outwards)
 {
   vec3 point = vec3(depthScale * pointDC.xy, pointDC.z);
   ivec2 last = textureSize(depths, 0) - 1;
@@ -33,7 +34,11 @@ bool isVisible(vec3 pointDC)
   bool behind = true;
   for (int i = 0; i < 4 && behind; ++i)
   {
-    behind = isBehind(clamp(first + ivec2(i % 2, i / 2), ivec2(0), last), point);
+    ivec2 pixel = first + ivec2(i % 2, i / 2);
+    if (dot(vec2(pixel) + 0.5 - point.xy, outwards) >= 0.0)
+    {
+      behind = isBehind(clamp(pixel, ivec2(0), last), point);
+    }
   }
   return !behind;
 }

@@ -14,7 +14,7 @@ namespace
 
 constexpr int verticesOfLine = 6;
 
-/// One number an edge: face * 4 + edge.
+/// One number an edge: face * 8 + edge * 2, and 1 where the surface is on both of its sides.
 std::vector<std::uint32_t> toCodes(const std::vector<FaceEdges>& lines)
 {
   std::vector<std::uint32_t> codes;
@@ -23,9 +23,10 @@ std::vector<std::uint32_t> toCodes(const std::vector<FaceEdges>& lines)
   {
     for (std::uint32_t edge = 0; edge < 3; ++edge)
     {
-      if ((line.edges >> edge & 1u) != 0)
+      const bool oneSided = (line.edges >> edge & 1u) != 0;
+      if (oneSided || (line.edges >> (3 + edge) & 1u) != 0)
       {
-        codes.push_back(4 * line.face + edge);
+        codes.push_back(8 * line.face + 2 * edge + (oneSided ? 0 : 1));
       }
     }
   }

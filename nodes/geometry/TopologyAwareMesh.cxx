@@ -286,7 +286,7 @@ std::vector<FaceEdges> TopologyAwareMesh::findCreases(const SEDGeometry& geometr
     const glm::dvec3 other(this->getNeighbourNormal(face, edge));
     if (one != glm::dvec3(0.0) && other != glm::dvec3(0.0) && glm::dot(one, other) < largestCosine)
     {
-      creases.push_back({face, 1u << edge});
+      creases.push_back({face, 8u << edge});
     }
   };
   forEachEdge(geometry.getEdgeTable(), [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)

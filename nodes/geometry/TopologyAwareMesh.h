@@ -22,11 +22,12 @@ enum class TAMLayout
          ///< see packNormal(). Positions and corners are the original mesh's own vertex and index buffer
 };
 
-/// Some edges of a face: those that are drawn as lines, or owned.
+/// The edges of a face that are lines.
 struct FaceEdges
 {
   std::uint32_t face;
-  std::uint32_t edges; ///< bit k: between the corners k and (k + 1) % 3 in raster order
+  std::uint32_t edges; ///< bit k: between the corners k and (k + 1) % 3 in raster order; bit 3 + k: it is a
+                       ///< crease, with the surface on both of its sides unless bit k is set, too
 
   bool operator==(const FaceEdges& other) const
   {

@@ -38,7 +38,7 @@ EdgeSet toSet(const SEDGeometry& geometry, const std::vector<FaceEdges>& lines)
   {
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
-      if ((line.edges >> edge & 1u) != 0)
+      if ((line.edges >> edge & 9u) != 0)
       {
         const auto& corners = geometry.getTriangles()[line.face];
         set.insert(undirected(corners[edge], corners[(edge + 1) % 3]));
