@@ -7,14 +7,12 @@
 namespace shadow
 {
 
-bool BufferTexels::attach(unsigned int buffer, std::size_t numbers, std::string& error)
+bool BufferTexels::attach(unsigned int buffer, std::size_t numbers)
 {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   if (numbers > static_cast<std::size_t>(most))
   {
-    error = "it takes " + std::to_string(numbers) + " texels of a buffer, and the GL has no more than " +
-            std::to_string(most);
     return false;
   }
   if (this->texture != 0 && this->attached == buffer)
@@ -37,6 +35,12 @@ void BufferTexels::bind(vtkOpenGLState* state, unsigned int program, int unit, c
   state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
   glBindTexture(GL_TEXTURE_BUFFER, this->texture);
   glUniform1i(glGetUniformLocation(program, sampler), unit);
+}
+
+void BufferTexels::unbind(vtkOpenGLState* state, int unit)
+{
+  state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
 void BufferTexels::release(bool contextLost)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
 class vtkOpenGLState;
 
@@ -23,12 +22,15 @@ public:
   BufferTexels& operator=(const BufferTexels&) = delete;
 
   /// Looks into a buffer that belongs to somebody else.
-  /// @return false with a line in @p error when the GL can look up fewer numbers than that
-  bool attach(unsigned int buffer, std::size_t numbers, std::string& error);
+  /// @return false when the GL can look up fewer numbers than that
+  bool attach(unsigned int buffer, std::size_t numbers);
 
   /// Binds the texels to a texture unit, and sets the program's sampler.
   /// @param program  name of a GL program that is current
   void bind(vtkOpenGLState* state, unsigned int program, int unit, const char* sampler) const;
+
+  /// Leaves a texture unit without a buffer.
+  static void unbind(vtkOpenGLState* state, int unit);
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost = false);

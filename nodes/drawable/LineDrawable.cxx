@@ -35,7 +35,7 @@ std::vector<std::uint32_t> toCodes(const std::vector<FaceEdges>& lines)
 
 } // namespace
 
-bool LineDrawable::upload(const std::vector<FaceEdges>& lines, std::string& error)
+bool LineDrawable::upload(const std::vector<FaceEdges>& lines)
 {
   const std::vector<std::uint32_t> codes = toCodes(lines);
   this->edges = codes.size();
@@ -51,29 +51,24 @@ bool LineDrawable::upload(const std::vector<FaceEdges>& lines, std::string& erro
   glBindBuffer(GL_TEXTURE_BUFFER, this->buffer);
   glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->bytes), codes.data(), GL_STREAM_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
-  return this->texels.attach(this->buffer, codes.size(), error);
+  return this->texels.attach(this->buffer, codes.size());
 }
 
-bool LineDrawable::draw(vtkOpenGLState* state, vtkShaderProgram* program, SEDGeometryDrawable& mesh,
-                        std::string& error)
+bool LineDrawable::draw(vtkOpenGLState* state, vtkShaderProgram* program, SEDGeometryDrawable& mesh) const
 {
   if (this->edges == 0)
   {
     return true;
   }
-  const auto handle = static_cast<unsigned int>(program->GetHandle());
-  if (!mesh.bindFaceTexels(state, handle, firstUnit, error))
+  if (!mesh.bindFaceTexels(state, program))
   {
     return false;
   }
-  const int lineUnit = firstUnit + SEDGeometryDrawable::faceTexelUnits;
-  this->texels.bind(state, handle, lineUnit, "lines");
+  this->texels.bind(state, static_cast<unsigned int>(program->GetHandle()),
+                    SEDGeometryDrawable::firstFreeUnit, "lines");
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(verticesOfLine * this->edges));
-  for (int unit = firstUnit; unit <= lineUnit; ++unit)
-  {
-    state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
-  }
+  BufferTexels::unbind(state, SEDGeometryDrawable::firstFreeUnit);
+  SEDGeometryDrawable::unbindFaceTexels(state);
   return true;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -33,17 +32,14 @@ public:
   LineDrawable& operator=(const LineDrawable&) = delete;
 
   /// Replaces the lines.
-  /// @return false with a line in @p error when the GL has no room
-  bool upload(const std::vector<FaceEdges>& lines, std::string& error);
+  /// @return false when they are more than the GL can look up
+  bool upload(const std::vector<FaceEdges>& lines);
 
   /// Draws them with the current program, see shaders/outlineEdge.vert. @pre a vertex array is bound
-  /// @return false with a line in @p error when the GL cannot look up a mesh of this size
-  bool draw(vtkOpenGLState* state, vtkShaderProgram* program, SEDGeometryDrawable& mesh, std::string& error);
+  /// @return false when the GL cannot look up a mesh of this size
+  bool draw(vtkOpenGLState* state, vtkShaderProgram* program, SEDGeometryDrawable& mesh) const;
 
   std::size_t countLines() const { return this->edges; }
-
-  /// Texture units that draw() binds, from this one on; it leaves them without a buffer texture.
-  static constexpr int firstUnit = 2;
 
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost = false);

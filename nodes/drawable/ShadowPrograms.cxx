@@ -35,7 +35,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
     const char* switches;
     const char* geometry = "";
   };
-  static const std::array<Sources, 18> stages = {
+  static const std::array<Sources, 19> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -59,6 +59,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
       Sources{shaders::edgeStates_vert, shaders::texel_frag, ""},
       Sources{shaders::extrude_vert, shaders::outlineDepth_frag, ""},
       Sources{shaders::outlineEdge_vert, shaders::outlineEdge_frag, ""},
+      Sources{shaders::outlineFace_vert, shaders::outlineFace_frag, ""},
       Sources{shaders::screen_vert, shaders::outlineBlend_frag, ""}};
   const Sources& sources = stages[stage];
   const std::string all =

@@ -34,7 +34,8 @@ public:
     EdgeStates,
     // Of outlines; parallel does not matter:
     OutlineDepth,
-    OutlineEdges,
+    OutlineEdges, ///< LineTechnique::Rectangles
+    OutlineFaces, ///< LineTechnique::Faces
     OutlineBlend
   };
 

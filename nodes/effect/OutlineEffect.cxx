@@ -63,6 +63,14 @@ void finishStage(bool wait)
 
 } // namespace
 
+int chooseDepthScale(int width, int height)
+{
+  constexpr int finest = 4;
+  constexpr double mostPixels = 1 << 24;
+  const double pixels = static_cast<double>(width) * height;
+  return std::clamp(static_cast<int>(std::sqrt(mostPixels / std::max(pixels, 1.0))), 1, finest);
+}
+
 /// Lists the surfaces of the graph, and finds what is kept for them.
 class OutlineEffect::SurfaceCollector : public NodeVisitor
 {
@@ -113,7 +121,8 @@ bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view,
   const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
   this->margin = static_cast<int>(std::ceil(0.5 * settings.lineWidth + softness)) + 1;
   const View wideView = widen(view, this->margin);
-  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, settings.depthScale, error))
+  const int scale = settings.depthScale > 0 ? settings.depthScale : chooseDepthScale(view.width, view.height);
+  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, scale, error))
   {
     return false;
   }
@@ -151,7 +160,7 @@ bool OutlineEffect::drawStages(vtkOpenGLRenderWindow* window, const View& wideVi
   this->statistics.depthMilliseconds = stage.getMilliseconds();
 
   stage = {};
-  if (!this->drawLines(window, wideView, settings.lineWidth, error))
+  if (!this->drawLines(window, wideView, settings, error))
   {
     return false;
   }
@@ -173,28 +182,37 @@ void OutlineEffect::chooseDepthRange(const View& view)
   }
 }
 
+void OutlineEffect::findMesh(const Surface& surface)
+{
+  PathLines& kept = *surface.lines;
+  if (kept.geometry.lock() != surface.geometry)
+  {
+    const SEDGeometry& geometry = *surface.geometry;
+    kept.geometry = surface.geometry;
+    kept.mesh = geometry.getPreparedData().get<TopologyAwareMesh>(0.0, [&geometry]
+                                                                  { return TopologyAwareMesh(geometry); });
+    kept.found = false;
+  }
+}
+
 void OutlineEffect::findLines(const Surface& surface, const Settings& settings)
 {
   if (surface.lines == nullptr)
   {
     return;
   }
+  this->findMesh(surface);
   PathLines& kept = *surface.lines;
-  const SEDGeometry& geometry = *surface.geometry;
-  const bool sameMesh = kept.geometry.lock() == surface.geometry;
-  const bool sameCreases = sameMesh && kept.settings.crease == settings.crease &&
+  const bool sameCreases = kept.found && kept.settings.crease == settings.crease &&
                            kept.settings.featureAngle == settings.featureAngle;
-  if (sameCreases && kept.eyeMC == surface.eyeMC && kept.settings.silhouette == settings.silhouette &&
-      kept.settings.border == settings.border)
+  const bool same = sameCreases && kept.eyeMC == surface.eyeMC &&
+                    kept.settings.silhouette == settings.silhouette &&
+                    kept.settings.border == settings.border;
+  if (same || settings.technique == LineTechnique::Faces)
   {
     return;
   }
-  if (!sameMesh)
-  {
-    kept.geometry = surface.geometry;
-    kept.mesh = geometry.getPreparedData().get<TopologyAwareMesh>(0.0, [&geometry]
-                                                                  { return TopologyAwareMesh(geometry); });
-  }
+  const SEDGeometry& geometry = *surface.geometry;
   if (!sameCreases)
   {
     kept.creases =
@@ -204,16 +222,16 @@ void OutlineEffect::findLines(const Surface& surface, const Settings& settings)
   {
     this->finder = makeSilhouetteFinder(SilhouetteMethod::Auto, 0.0, makeSmpParallelFor());
   }
+  kept.found = true;
   kept.eyeMC = surface.eyeMC;
   kept.settings = settings;
   this->finder->face(geometry, kept.eyeMC, kept.facing);
   kept.mesh->completeFacing(kept.facing);
   kept.mesh->findLines(geometry, kept.facing, {settings.silhouette, settings.border, &kept.creases},
                        kept.lines);
-  std::string error;
-  if (!kept.drawable.upload(kept.lines, error))
+  if (!kept.drawable.upload(kept.lines))
   {
-    this->errors.push_back(surface.name + " has no outline: " + error);
+    this->errors.push_back(surface.name + " has no outline: it has more lines than the GL can look up");
   }
 }
 
@@ -240,11 +258,14 @@ bool OutlineEffect::drawDepth(vtkOpenGLRenderWindow* window, const View& wideVie
   return true;
 }
 
-bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideView, double lineWidth,
+bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideView, const Settings& settings,
                               std::string& error)
 {
   vtkOpenGLState* state = window->GetState();
-  vtkShaderProgram* program = ShadowPrograms(window).use(ShadowPrograms::OutlineEdges, false);
+  vtkShaderProgram* program =
+      ShadowPrograms(window).use(settings.technique == LineTechnique::Faces ? ShadowPrograms::OutlineFaces
+                                                                            : ShadowPrograms::OutlineEdges,
+                                 false);
   if (program == nullptr)
   {
     error = noShader;
@@ -254,33 +275,49 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
   const bool reversed = this->depthRange.reversed;
   const float screenSize[2] = {static_cast<float>(wideView.width), static_cast<float>(wideView.height)};
   const float depthFromClip[2] = {reversed ? 1.0f : 0.5f, reversed ? 0.0f : 0.5f};
-  const double reach = 0.5 * lineWidth + softness;
+  const double reach = 0.5 * settings.lineWidth + softness;
   const double outside = 1.0 + 2.0 * (reach + 2.0) / std::min(wideView.width, wideView.height);
   program->SetUniform2f("screenSize", screenSize);
   program->SetUniform2f("depthFromClip", depthFromClip);
   program->SetUniformf("nearSign", reversed ? 1.0f : -1.0f);
   program->SetUniformf("outside", static_cast<float>(outside));
   program->SetUniformf("lineReach", static_cast<float>(reach));
-  program->SetUniformf("halfWidth", static_cast<float>(0.5 * lineWidth));
+  program->SetUniformf("halfWidth", static_cast<float>(0.5 * settings.lineWidth));
   const glm::dmat4 clipFromWC = shadowClipFromWC(wideView, this->depthRange);
   for (const Surface& surface : this->surfaces)
   {
-    if (surface.lines == nullptr || surface.lines->drawable.countLines() == 0)
+    if (surface.lines != nullptr)
     {
-      continue;
+      setUniform(program, "clipFromMC", clipFromWC * surface.wcFromMC);
+      if (!this->drawLinesOf(surface, state, program, settings))
+      {
+        this->errors.push_back(surface.name + " has no outline: the GL cannot look up a mesh of its size");
+      }
     }
-    setUniform(program, "clipFromMC", clipFromWC * surface.wcFromMC);
-    std::string refusal;
-    if (!surface.lines->drawable.draw(state, program, this->drawables.getGeometry(surface.geometry), refusal))
-    {
-      this->errors.push_back(surface.name + " has no outline: " + refusal);
-      continue;
-    }
-    this->statistics.lineEdges += surface.lines->drawable.countLines();
-    this->statistics.lineTriangles += 2 * surface.lines->drawable.countLines();
   }
   this->target.endLines(state);
   return true;
+}
+
+bool OutlineEffect::drawLinesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program,
+                                const Settings& settings)
+{
+  SEDGeometryDrawable& drawable = this->drawables.getGeometry(surface.geometry);
+  if (settings.technique == LineTechnique::Rectangles)
+  {
+    const LineDrawable& lines = surface.lines->drawable;
+    this->statistics.lineEdges += lines.countLines();
+    this->statistics.lineTriangles += 2 * lines.countLines();
+    return lines.draw(state, program, drawable);
+  }
+  setUniform(program, "eyeMC", surface.eyeMC);
+  program->SetUniformi("drawsSilhouette", settings.silhouette ? 1 : 0);
+  program->SetUniformi("drawsBorder", settings.border ? 1 : 0);
+  const double degree = 3.14159265358979323846 / 180.0;
+  program->SetUniformf(
+      "creaseCosine", settings.crease ? static_cast<float>(std::cos(degree * settings.featureAngle)) : -2.0f);
+  this->statistics.lineTriangles += surface.lines->mesh->countFaces();
+  return drawable.drawFaces(state, program, *surface.lines->mesh);
 }
 
 bool OutlineEffect::blend(vtkOpenGLRenderWindow* window, const Look& look, bool wait, std::string& error)

@@ -25,6 +25,19 @@ class vtkShaderProgram;
 namespace shadow
 {
 
+/// How lines are found and drawn. All give the same picture, but for Faces where single precision cannot tell
+/// which way a triangle faces.
+enum class LineTechnique
+{
+  Rectangles, ///< edges found from an exact facing on the CPU, each drawn as a rectangle
+  Faces ///< the paper's: every face of the mesh tells its own edges by the normals it stores, and is scaled
+        ///< about its incentre until it covers their lines
+};
+
+/// As fine as makes lines end where they are hidden (4), less where a target of that size would take too much
+/// memory.
+int chooseDepthScale(int width, int height);
+
 /// Root of the scene graph, and the passes that turn the graph below it into outlines.
 ///
 /// 1. facing of all triangles towards the eye, exactly, and the edges that are lines
@@ -39,12 +52,13 @@ class OutlineEffect : public Group
 public:
   struct Settings
   {
+    LineTechnique technique = LineTechnique::Rectangles;
     double lineWidth = 2.0; ///< pixels
     bool silhouette = true;
     bool border = true;
     bool crease = false;
-    double featureAngle = 60.0;   ///< degrees, of creases
-    int depthScale = 2;           ///< pixels of pass 1 for one of the view, in each direction
+    double featureAngle = 60.0; ///< degrees, of creases
+    int depthScale = 0; ///< pixels of pass 1 for one of the view, in each direction; 0: chooseDepthScale()
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
 
@@ -107,6 +121,7 @@ private:
     std::vector<FaceEdges> creases;
     std::vector<FaceEdges> lines;
     LineDrawable drawable;
+    bool found = false; ///< lines belong to eyeMC and settings
     bool used = false;
   };
 
@@ -125,8 +140,12 @@ private:
   bool drawStages(vtkOpenGLRenderWindow* window, const View& view, const Settings& settings,
                   std::string& error);
   void findLines(const Surface& surface, const Settings& settings);
+  static void findMesh(const Surface& surface);
   bool drawDepth(vtkOpenGLRenderWindow* window, const View& wideView, std::string& error);
-  bool drawLines(vtkOpenGLRenderWindow* window, const View& wideView, double lineWidth, std::string& error);
+  bool drawLines(vtkOpenGLRenderWindow* window, const View& wideView, const Settings& settings,
+                 std::string& error);
+  bool drawLinesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program,
+                   const Settings& settings);
   void chooseDepthRange(const View& view);
 
   std::unique_ptr<SilhouetteFinder> finder;

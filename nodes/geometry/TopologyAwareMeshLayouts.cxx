@@ -59,9 +59,10 @@ std::vector<unsigned char> TopologyAwareMesh::pack(const SEDGeometry& geometry, 
   {
     if (layout == TAMLayout::Shared)
     {
+      const float turn = geometry.getReversed().test(face) ? -1.0f : 1.0f;
       for (std::size_t edge = 0; edge < 3; ++edge)
       {
-        writer.write(packNormal(this->getNeighbourNormal(face, edge)));
+        writer.write(packNormal(turn * this->getNeighbourNormal(face, edge)));
       }
       continue;
     }

@@ -102,6 +102,8 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
   this->SceneMilliseconds = stage.getMilliseconds();
 
   shadow::OutlineEffect::Settings settings;
+  settings.technique = static_cast<shadow::LineTechnique>(self->Technique);
+  settings.depthScale = self->DepthScale;
   settings.lineWidth = self->LineWidth;
   settings.silhouette = self->SilhouetteEdges;
   settings.border = self->BorderEdges;
@@ -153,6 +155,8 @@ void vtkSilhouettePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CreaseEdges: " << this->CreaseEdges << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Smooth: " << this->Smooth << "\n";
+  os << indent << "Technique: " << this->Technique << "\n";
+  os << indent << "DepthScale: " << this->DepthScale << "\n";
   os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
   os << indent << "MeasureStages: " << this->MeasureStages << "\n";
   os << indent << "Status: " << this->GetStatus() << "\n";

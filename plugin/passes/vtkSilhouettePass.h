@@ -130,6 +130,34 @@ public:
   vtkBooleanMacro(Smooth, bool);
   ///@}
 
+  /// How lines are found and drawn.
+  enum Techniques
+  {
+    TECHNIQUE_RECTANGLES = 0, ///< edges found from an exact facing on the CPU, each drawn as a rectangle
+    TECHNIQUE_FACES ///< Valient's: on the GPU, every triangle tells its own edges by the normals of its
+                    ///< neighbours, and is enlarged on the screen until it covers their lines
+  };
+
+  ///@{
+  /**
+   * Both give the same picture, but for Faces where single precision cannot tell which way a triangle faces:
+   * lines may then have gaps. Faces leaves nothing to the CPU, and is the slower one. Default: Rectangles.
+   */
+  vtkSetClampMacro(Technique, int, TECHNIQUE_RECTANGLES, TECHNIQUE_FACES);
+  vtkGetMacro(Technique, int);
+  void SetTechniqueToRectangles() { this->SetTechnique(TECHNIQUE_RECTANGLES); }
+  void SetTechniqueToFaces() { this->SetTechnique(TECHNIQUE_FACES); }
+  ///@}
+
+  ///@{
+  /**
+   * Pixels of pass 1 for one of the view, in each direction: how exactly a line ends where it is hidden. 0
+   * (default): 4, less for views of more than a million pixels.
+   */
+  vtkSetClampMacro(DepthScale, int, 0, 8);
+  vtkGetMacro(DepthScale, int);
+  ///@}
+
   ///@{
   /**
    * Points of a mesh that are closer than this (in its model units) count as one. Default 0: points with
@@ -178,9 +206,10 @@ public:
   /**
    * Statistics of the last rendering.
    */
-  vtkIdType GetDepthTriangles() const;         ///< of pass 1
-  vtkIdType GetLineTriangles() const;          ///< of pass 2
-  vtkIdType GetLineEdges() const;              ///< visible or not, once for each path to their actor
+  vtkIdType GetDepthTriangles() const; ///< of pass 1
+  vtkIdType GetLineTriangles() const;  ///< of pass 2
+  vtkIdType
+  GetLineEdges() const; ///< visible or not, once for each path to their actor; 0 for TECHNIQUE_FACES
   int GetNumberOfSkippedProps() const;         ///< lines of GetSkippedProp()
   std::string GetSkippedProp(int index) const; ///< "name: reason", or "" when there is no such index
   double GetSceneMilliseconds() const;         ///< mirroring props, adjacency
@@ -234,6 +263,8 @@ private:
   bool CreaseEdges = false;
   double FeatureAngle = 60.0;
   bool Smooth = true;
+  int Technique = TECHNIQUE_RECTANGLES;
+  int DepthScale = 0;
   double WeldTolerance = 0.0;
   bool MeasureStages = false;
 
