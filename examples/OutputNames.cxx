@@ -28,8 +28,8 @@ void refuseSame(const std::string& name, const std::vector<std::string>& others,
 
 } // namespace
 
-OutputNames::OutputNames(const RenderOptions& given)
-    : options(given), maskCount(given.mask.empty() ? 0 : std::max<std::size_t>(1, given.lights.size()))
+OutputNames::OutputNames(const RenderOptions& given, std::size_t masks)
+    : options(given), maskCount(given.mask.empty() ? 0 : masks)
 {
 }
 
@@ -38,14 +38,14 @@ std::string OutputNames::picture(int frame) const
   return this->options.frames ? numberedName(this->options.output, fourDigits(frame)) : this->options.output;
 }
 
-std::string OutputNames::mask(int frame, std::size_t light) const
+std::string OutputNames::mask(int frame, std::size_t index) const
 {
   std::string name = this->options.mask;
   if (this->options.frames && !name.empty())
   {
     name = numberedName(name, fourDigits(frame));
   }
-  return this->maskCount > 1 ? numberedName(name, std::to_string(light)) : name;
+  return this->maskCount > 1 ? numberedName(name, std::to_string(index)) : name;
 }
 
 const std::string& OutputNames::report() const
@@ -58,9 +58,9 @@ void OutputNames::check() const
   // One frame is enough: the names of all others differ by its number only.
   std::vector<std::string> names = {this->picture(0)};
   checkTarget("--output", names.front(), ".png");
-  for (std::size_t light = 0; light < this->maskCount; ++light)
+  for (std::size_t index = 0; index < this->maskCount; ++index)
   {
-    names.push_back(this->mask(0, light));
+    names.push_back(this->mask(0, index));
     checkTarget("--mask", names.back(), ".png");
   }
   if (!this->report().empty())

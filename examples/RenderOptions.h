@@ -10,7 +10,7 @@
 namespace shadow::examples
 {
 
-/// The command line of shadow_render.
+/// The command line of shadow_render, and what that of other programs has in common with it.
 struct RenderOptions
 {
   // what is shown
@@ -44,7 +44,10 @@ const std::vector<std::string>& stencilNames();
 const std::vector<std::string>& silhouetteNames();
 const std::vector<std::string>& compositingNames();
 
-/// Reads the command line; argv[0] is the program.
+/// What each silhouette method does, one line a method.
+std::string describeSilhouettes();
+
+/// Reads the command line of shadow_render; argv[0] is the program.
 ///
 /// @throws UsageError  one line, for anything that is unknown, incomplete or out of range
 RenderOptions parseRenderOptions(int argc, const char* const* argv);

@@ -4,6 +4,7 @@
 
 #include <vtkRenderWindow.h>
 #include <vtkShadowVolumePass.h>
+#include <vtkSilhouettePass.h>
 #include <vtkVersion.h>
 
 #include <sstream>
@@ -46,6 +47,10 @@ Json describeLight(const LightOption& light)
   }
 }
 
+// The passes number their status alike.
+static_assert(static_cast<int>(vtkShadowVolumePass::STATUS_NOT_RENDERED) ==
+              static_cast<int>(vtkSilhouettePass::STATUS_NOT_RENDERED));
+
 std::string statusName(int status)
 {
   switch (status)
@@ -76,17 +81,30 @@ Json describeMethods(vtkShadowVolumePass* pass)
   return result;
 }
 
-// A caster is reported as "name: reason"; the name may hold a colon itself, the reason does not.
-Json describeSkipped(vtkShadowVolumePass* pass)
+// A prop is reported as "name: reason"; the name may hold a colon itself, the reason does not.
+Json describeSkipped(const std::string& kind, const std::string& text)
+{
+  const std::size_t colon = text.rfind(": ");
+  return colon == std::string::npos ? Json{{kind, ""}, {"reason", text}}
+                                    : Json{{kind, text.substr(0, colon)}, {"reason", text.substr(colon + 2)}};
+}
+
+Json describeSkippedCasters(vtkShadowVolumePass* pass)
 {
   Json skipped = Json::array();
   for (int i = 0; i < pass->GetNumberOfSkippedCasters(); ++i)
   {
-    const std::string text = pass->GetSkippedCaster(i);
-    const std::size_t colon = text.rfind(": ");
-    skipped.push_back(colon == std::string::npos
-                          ? Json{{"caster", ""}, {"reason", text}}
-                          : Json{{"caster", text.substr(0, colon)}, {"reason", text.substr(colon + 2)}});
+    skipped.push_back(describeSkipped("caster", pass->GetSkippedCaster(i)));
+  }
+  return skipped;
+}
+
+Json describeSkippedProps(vtkSilhouettePass* pass)
+{
+  Json skipped = Json::array();
+  for (int i = 0; i < pass->GetNumberOfSkippedProps(); ++i)
+  {
+    skipped.push_back(describeSkipped("prop", pass->GetSkippedProp(i)));
   }
   return skipped;
 }
@@ -140,7 +158,7 @@ Json describeCamera(const CameraOption& camera, const std::optional<double>& par
   return result;
 }
 
-Json describeSettings(const RenderOptions& options)
+Json describeShadowSettings(const RenderOptions& options)
 {
   return {{"stencil", stencilNames()[options.stencilMethod]},
           {"silhouette", silhouetteNames()[options.silhouetteMethod]},
@@ -160,12 +178,25 @@ Json describeRendering(vtkShadowVolumePass* pass, double frameMilliseconds)
                        {"zfail", pass->GetNumberOfZFailCasters()},
                        {"rebuilt", pass->GetNumberOfRebuiltVolumes()},
                        {"foundBy", describeMethods(pass)},
-                       {"skipped", describeSkipped(pass)}};
+                       {"skipped", describeSkippedCasters(pass)}};
   result["memoryBytes"] = pass->GetMemorySize();
   result["milliseconds"] = {
       {"scene", pass->GetSceneMilliseconds()},       {"silhouette", pass->GetSilhouetteMilliseconds()},
       {"prePass", pass->GetPrePassMilliseconds()},   {"stencil", pass->GetStencilMilliseconds()},
       {"lighting", pass->GetLightingMilliseconds()}, {"frame", frameMilliseconds}};
+  return result;
+}
+
+Json describeOutlines(vtkSilhouettePass* pass, double frameMilliseconds)
+{
+  Json result = {{"status", statusName(pass->GetStatus())}, {"message", pass->GetStatusMessage()}};
+  result["triangles"] = {{"depth", pass->GetDepthTriangles()}, {"lines", pass->GetLineTriangles()}};
+  result["edges"] = pass->GetLineEdges();
+  result["skipped"] = describeSkippedProps(pass);
+  result["memoryBytes"] = pass->GetMemorySize();
+  result["milliseconds"] = {{"scene", pass->GetSceneMilliseconds()}, {"edges", pass->GetEdgeMilliseconds()},
+                            {"depth", pass->GetDepthMilliseconds()}, {"lines", pass->GetLineMilliseconds()},
+                            {"blend", pass->GetBlendMilliseconds()}, {"frame", frameMilliseconds}};
   return result;
 }
 

@@ -1,269 +1,69 @@
 #include "ShadowRun.h"
 
-#include "Camera.h"
-#include "Lights.h"
-#include "OutputFiles.h"
 #include "Report.h"
-#include "SceneSetup.h"
 #include "UserError.h"
 
-#include <vtkHeadlessRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkRenderer.h>
 #include <vtkShadowVolumePass.h>
-#include <vtkTextureObject.h>
-#include <vtkWindowToImageFilter.h>
 
-#include <chrono>
-#include <cstdio>
-#include <iostream>
+#include <algorithm>
 #include <utility>
 
 namespace shadow::examples
 {
-namespace
-{
 
-constexpr const char* PROGRAM = "shadow_render";
-
-double millisecondsSince(std::chrono::steady_clock::time_point start)
+void setUpShadows(vtkShadowVolumePass* pass, const RenderOptions& options)
 {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  pass->SetStencilMethod(options.stencilMethod);
+  pass->SetSilhouetteMethod(options.silhouetteMethod);
+  pass->SetCompositing(options.compositing);
+  pass->SetSamples(options.samples);
+  pass->SetMeasureStages(!options.report.empty());
 }
 
-} // namespace
-
 ShadowRun::ShadowRun(RenderOptions given)
-    : options(std::move(given)), names(this->options), frameCount(options.frames.value_or(1)),
-      progress(PROGRAM), frameReports(nlohmann::ordered_json::array())
+    : RenderRun("shadow_render", given, std::max<std::size_t>(1, given.lights.size()))
 {
 }
 
 ShadowRun::~ShadowRun() = default;
 
-void ShadowRun::run()
+void ShadowRun::attachPasses(vtkRenderer* drawn)
 {
-  this->names.check();
-  this->readModels();
-  this->openWindow();
-  this->setUpScene();
-  for (int frame = 0; frame < this->frameCount; ++frame)
-  {
-    this->progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(this->frameCount));
-    this->drawFrame(frame);
-    this->checkDrawing();
-    this->writeFrame(frame);
-  }
-  this->writeReport();
-}
-
-std::vector<LightOption> ShadowRun::lightsOf(int frame) const
-{
-  Vector3 centre;
-  this->modelBounds.GetCenter(centre.data());
-  std::vector<LightOption> lights;
-  for (const LightOption& light : this->options.lights)
-  {
-    lights.push_back(frame == 0 ? light : turnLight(light, centre, 360.0 * frame / this->frameCount));
-  }
-  return lights;
-}
-
-void ShadowRun::readModels()
-{
-  for (const std::string& file : this->options.models)
-  {
-    this->progress.show("reading " + file);
-    std::vector<std::string> warnings;
-    this->models.push_back(readModel(file, PROGRAM, warnings));
-    for (const std::string& warning : warnings)
-    {
-      this->warn(file + ": " + warning);
-    }
-  }
-}
-
-void ShadowRun::openWindow()
-{
-  const SizeOption& size = this->options.size;
-  this->window->SetMultiSamples(this->options.samples > 1 ? this->options.samples : 0);
-  this->window->SetSize(64, 64);
-  this->window->Render(); // of nothing: VTK asks the GL for its limits not before the first picture
-  if (!this->window->IsUsable())
-  {
-    throw UserError(
-        "there is no OpenGL context to draw into" +
-        (this->messages.errors().empty() ? std::string() : ": " + this->messages.errors().front()));
-  }
-  const int limit = vtkTextureObject::GetMaximumTextureSize(this->window);
-  if (size.width > limit || size.height > limit)
-  {
-    throw UserError("--size: " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                    " is over the limit of this GL, " + std::to_string(limit) + "x" + std::to_string(limit));
-  }
-  this->window->SetSize(size.width, size.height);
-}
-
-void ShadowRun::setUpScene()
-{
-  this->modelBounds = this->options.models.empty() ? addBuiltInScene(this->renderer)
-                                                   : addModels(this->renderer, this->models);
-  this->modelPoints = samplePoints(this->renderer);
-  vtkBoundingBox floor;
-  if (this->options.floor)
-  {
-    floor = addFloor(this->renderer, this->modelBounds);
-  }
-  if (this->options.lights.empty())
-  {
-    this->options.lights.push_back(chooseLight(this->modelBounds));
-  }
-  this->checkLights(floor);
-  this->setUpView();
-
-  this->pass->SetStencilMethod(this->options.stencilMethod);
-  this->pass->SetSilhouetteMethod(this->options.silhouetteMethod);
-  this->pass->SetCompositing(this->options.compositing);
-  this->pass->SetSamples(this->options.samples);
-  this->pass->SetMeasureStages(!this->options.report.empty());
-  setBackground(this->renderer);
-  this->renderer->SetPass(this->pass);
-  this->window->AddRenderer(this->renderer);
-}
-
-void ShadowRun::setUpView()
-{
-  const SizeOption& size = this->options.size;
-  if (!this->options.camera)
-  {
-    CameraSubject subject;
-    subject.points = this->modelPoints;
-    subject.aspect = static_cast<double>(size.width) / size.height;
-    if (this->options.floor)
-    {
-      subject.floorHeight = this->modelBounds.GetMinPoint()[1];
-    }
-    for (int frame = 0; frame < this->frameCount; ++frame)
-    {
-      const std::vector<LightOption> lights = this->lightsOf(frame);
-      subject.lights.insert(subject.lights.end(), lights.begin(), lights.end());
-    }
-    this->options.camera = chooseCamera(subject);
-  }
-  setCamera(this->renderer, *this->options.camera, this->options.parallelScale);
-}
-
-void ShadowRun::checkLights(const vtkBoundingBox& floor) const
-{
-  for (std::size_t i = 0; i < this->options.lights.size(); ++i)
-  {
-    const LightOption& light = this->options.lights[i];
-    if (!canReach(light, this->modelBounds) && !(floor.IsValid() && canReach(light, floor)))
-    {
-      throw UserError("--light: light " + std::to_string(i) + " reaches nothing: its cone misses the scene");
-    }
-  }
-}
-
-void ShadowRun::drawFrame(int frame)
-{
-  this->messages.clear();
-  const std::vector<LightOption> lights = this->lightsOf(frame);
-  setLights(this->renderer, lights);
-  const auto start = std::chrono::steady_clock::now();
-  this->window->Render();
-  this->window->WaitForCompletion();
-  const double milliseconds = millisecondsSince(start);
-
-  nlohmann::ordered_json report = {{"picture", this->names.picture(frame)}};
-  report["lights"] = describeLights(lights);
-  report.update(describeRendering(this->pass, milliseconds));
-  this->frameReports.push_back(std::move(report));
+  setUpShadows(this->pass, this->options);
+  drawn->SetPass(this->pass);
 }
 
 void ShadowRun::checkDrawing()
 {
-  const std::string status = this->pass->GetStatusMessage();
-  switch (this->pass->GetStatus())
-  {
-  case vtkShadowVolumePass::STATUS_OK:
-    break;
-  case vtkShadowVolumePass::STATUS_PARTIAL:
-    this->warn(status);
-    break;
-  default:
-    throw UserError("no shadows could be drawn: " + status);
-  }
-  if (!this->messages.errors().empty())
-  {
-    throw UserError("drawing failed: " + this->messages.errors().front());
-  }
-  for (const std::string& warning : this->messages.warnings())
-  {
-    // the pass says the cause of a partial status as a warning, too
-    if (status.find(warning) == std::string::npos)
-    {
-      this->warn(warning);
-    }
-  }
+  const int status = this->pass->GetStatus();
+  this->checkStatus(status == vtkShadowVolumePass::STATUS_OK, status == vtkShadowVolumePass::STATUS_PARTIAL,
+                    "shadows", this->pass->GetStatusMessage());
 }
 
-void ShadowRun::writeFrame(int frame)
+void ShadowRun::writeMasks(int frame, nlohmann::ordered_json& report)
 {
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(this->window);
-  grab->SetInputBufferTypeToRGB();
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  grab->Update();
-  writePng(this->names.picture(frame), grab->GetOutput());
-  if (!this->options.mask.empty())
-  {
-    this->writeMasks(frame);
-  }
-}
-
-void ShadowRun::writeMasks(int frame)
-{
-  nlohmann::ordered_json written = nlohmann::ordered_json::array();
   for (std::size_t light = 0; light < this->options.lights.size(); ++light)
   {
-    const std::string name = this->names.mask(frame, light);
+    const std::string name = this->getNames().mask(frame, light);
     vtkNew<vtkImageData> mask;
     if (!this->pass->GetShadowMask(static_cast<int>(light), mask))
     {
       throw UserError(name + ": the pass gives no mask for light " + std::to_string(light));
     }
-    writePng(name, mask);
-    written.push_back(name);
+    this->writeMask(name, mask, report);
   }
-  this->frameReports.back()["masks"] = written;
 }
 
-void ShadowRun::writeReport()
+nlohmann::ordered_json ShadowRun::describeSettings() const
 {
-  if (this->options.report.empty())
-  {
-    return;
-  }
-  nlohmann::ordered_json report = {{"program", PROGRAM}, {"version", VTKSHADOW_VERSION}};
-  report["system"] = describeSystem(this->window);
-  report["size"] = {this->options.size.width, this->options.size.height};
-  report["models"] = describeModels(this->models);
-  report["floor"] = this->options.floor;
-  report["camera"] = describeCamera(*this->options.camera, this->options.parallelScale);
-  report["settings"] = describeSettings(this->options);
-  report["frames"] = this->frameReports;
-  writeFile(this->options.report, toText(report));
+  return describeShadowSettings(this->options);
 }
 
-void ShadowRun::warn(const std::string& text)
+nlohmann::ordered_json ShadowRun::describeFrame(double milliseconds)
 {
-  if (this->warned.insert(text).second)
-  {
-    this->progress.clear();
-    std::cerr << PROGRAM << ": warning: " << text << std::endl;
-  }
+  return describeRendering(this->pass, milliseconds);
 }
 
 } // namespace shadow::examples

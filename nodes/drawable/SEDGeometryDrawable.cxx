@@ -10,6 +10,7 @@
 #include <vtkShaderProgram.h>
 
 #include "OpenGL.h"
+#include "TopologyAwareMesh.h"
 #include "VertexLayout.h"
 
 namespace shadow
@@ -17,6 +18,9 @@ namespace shadow
 
 namespace
 {
+
+constexpr int positionUnit = 2;
+constexpr int cornerUnit = 3;
 
 struct PrePassMesh
 {
@@ -134,6 +138,48 @@ const AdjacentTriangles& SEDGeometryDrawable::getAdjacentTriangles()
   return *this->adjacentTriangles;
 }
 
+bool SEDGeometryDrawable::bindFaceTexels(vtkOpenGLState* state, vtkShaderProgram* program)
+{
+  if (!this->positionTexels.attach(this->vertexBuffer, 3 * this->vertices) ||
+      !this->cornerTexels.attach(this->indexBuffer, 3 * this->triangles))
+  {
+    return false;
+  }
+  const auto handle = static_cast<unsigned int>(program->GetHandle());
+  this->positionTexels.bind(state, handle, positionUnit, "positionTexels");
+  this->cornerTexels.bind(state, handle, cornerUnit, "cornerTexels");
+  return true;
+}
+
+void SEDGeometryDrawable::unbindFaceTexels(vtkOpenGLState* state)
+{
+  BufferTexels::unbind(state, positionUnit);
+  BufferTexels::unbind(state, cornerUnit);
+}
+
+bool SEDGeometryDrawable::drawFaces(vtkOpenGLState* state, vtkShaderProgram* program,
+                                    const TopologyAwareMesh& mesh)
+{
+  if (this->normalBuffer == 0)
+  {
+    glGenBuffers(1, &this->normalBuffer);
+    this->bytes += uploadBuffer(GL_TEXTURE_BUFFER, this->normalBuffer,
+                                mesh.pack(this->geometry, TAMLayout::Shared), GL_STATIC_DRAW);
+    glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  }
+  if (!this->normalTexels.attach(this->normalBuffer, 3 * this->triangles) ||
+      !this->bindFaceTexels(state, program))
+  {
+    return false;
+  }
+  this->normalTexels.bind(state, static_cast<unsigned int>(program->GetHandle()), firstFreeUnit,
+                          "normalTexels");
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * this->triangles));
+  BufferTexels::unbind(state, firstFreeUnit);
+  unbindFaceTexels(state);
+  return true;
+}
+
 void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits)
 {
   glBindVertexArray(this->vertexArray);
@@ -208,6 +254,9 @@ void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, unsigned int hiddenS
 
 void SEDGeometryDrawable::release(bool contextLost)
 {
+  this->positionTexels.release(contextLost);
+  this->cornerTexels.release(contextLost);
+  this->normalTexels.release(contextLost);
   if (!contextLost)
   {
     glDeleteVertexArrays(1, &this->vertexArray);
@@ -215,13 +264,14 @@ void SEDGeometryDrawable::release(bool contextLost)
     glDeleteBuffers(1, &this->indexBuffer);
     glDeleteBuffers(1, &this->volumeVertexBuffer);
     glDeleteBuffers(1, &this->sortedIndexBuffer);
+    glDeleteBuffers(1, &this->normalBuffer);
   }
   if (this->adjacentTriangles != nullptr)
   {
     this->adjacentTriangles->release(contextLost);
   }
   this->vertexArray = this->vertexBuffer = this->indexBuffer = this->volumeVertexBuffer = 0;
-  this->sortedIndexBuffer = 0;
+  this->sortedIndexBuffer = this->normalBuffer = 0;
 }
 
 } // namespace shadow

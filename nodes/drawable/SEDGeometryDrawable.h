@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "AdjacentTriangles.h"
+#include "BufferTexels.h"
 #include "Node.h"
 #include "SEDGeometry.h"
 
@@ -16,6 +17,8 @@ class vtkShaderProgram;
 
 namespace shadow
 {
+
+class TopologyAwareMesh;
 
 /// What each side of a path's triangles faces, as a vertex attribute of the pre-pass.
 class ReachableBitsBuffer
@@ -74,6 +77,21 @@ public:
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost);
 
+  /// Binds positions and corners as textures, and sets the program's samplers: see shaders/outlineFaces.glsl.
+  /// @pre the program is current
+  /// @return false when the GL cannot look up a mesh of this size
+  bool bindFaceTexels(vtkOpenGLState* state, vtkShaderProgram* program);
+  static void unbindFaceTexels(vtkOpenGLState* state);
+
+  /// Draws three vertices for each face of a topology-aware mesh, with nothing but their numbers and what
+  /// bindFaceTexels() and the shared layout give: see shaders/outlineFace.vert. @pre a vertex array is bound
+  /// @param mesh  made from the same geometry, always the same; uploaded when first asked for
+  /// @return false when the GL cannot look up a mesh of this size
+  bool drawFaces(vtkOpenGLState* state, vtkShaderProgram* program, const TopologyAwareMesh& mesh);
+
+  /// Texture units from this one on are not used by the faces.
+  static constexpr int firstFreeUnit = 4;
+
   /// Vertices of the pre-pass, those of the triangles first.
   std::size_t getVertexCount() const { return this->vertices; }
 
@@ -92,6 +110,10 @@ private:
   unsigned int sortedIndexBuffer = 0;  ///< triangles whose raster order is the input's come first
   std::size_t unreversedTriangles = 0; ///< these
   std::unique_ptr<AdjacentTriangles> adjacentTriangles;
+  BufferTexels positionTexels{BufferTexels::Number::Float};
+  BufferTexels cornerTexels{BufferTexels::Number::Unsigned};
+  BufferTexels normalTexels{BufferTexels::Number::Unsigned};
+  unsigned int normalBuffer = 0; ///< TAMLayout::Shared
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   std::size_t bytes = 0;

@@ -35,7 +35,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
     const char* switches;
     const char* geometry = "";
   };
-  static const std::array<Sources, 16> stages = {
+  static const std::array<Sources, 20> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -57,7 +57,11 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
       Sources{shaders::adjacency_vert, shaders::volume_frag,
               "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTIPLICITY\n", shaders::volume_geom},
       Sources{shaders::triangleFacing_vert, shaders::texel_frag, ""},
-      Sources{shaders::edgeStates_vert, shaders::texel_frag, ""}};
+      Sources{shaders::edgeStates_vert, shaders::texel_frag, ""},
+      Sources{shaders::extrude_vert, shaders::outlineDepth_frag, ""},
+      Sources{shaders::outlineEdge_vert, shaders::outlineEdge_frag, ""},
+      Sources{shaders::outlineFace_vert, shaders::outlineFace_frag, ""},
+      Sources{shaders::screen_vert, shaders::outlineBlend_frag, ""}};
   const Sources& sources = stages[stage];
   const std::string all =
       sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "") + switches;

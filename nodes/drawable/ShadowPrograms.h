@@ -10,7 +10,7 @@ class vtkShaderProgram;
 namespace shadow
 {
 
-/// The shader programs of the shadow stages, kept in the window's shader cache.
+/// The shader programs of the shadow stages and of outlines, kept in the window's shader cache.
 class ShadowPrograms
 {
 public:
@@ -32,7 +32,12 @@ public:
     SurfacePrePassHandedOn, ///< SurfacePrePass through a geometry shader, to go with the next:
     VolumeOfTriangles,      ///< sides and caps, made in the geometry shader
     TriangleFacing,         ///< into a texture, as EdgeStates; parallel does not matter
-    EdgeStates
+    EdgeStates,
+    // Of outlines; parallel does not matter:
+    OutlineDepth,
+    OutlineEdges, ///< LineTechnique::Rectangles
+    OutlineFaces, ///< LineTechnique::Faces
+    OutlineBlend
   };
 
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}

@@ -35,7 +35,8 @@ public:
 
   std::string name;                            ///< for messages
   bool visible = true;                         ///< false: the subgraph is neither drawn nor casts
-  bool casting = true;                         ///< false: the subgraph is drawn but casts nothing
+  bool casting = true;                         ///< false: the subgraph is drawn but casts nothing, or, for
+                                               ///< outlines, has none
   FaceCulling faceCulling = FaceCulling::None; ///< what the subgraph's surfaces hide from the camera
 };
 

@@ -9,6 +9,7 @@
 #include "EdgeBufferSilhouette.h"
 #include "HierarchicalSilhouette.h"
 #include "HybridSilhouette.h"
+#include "TopologyAwareMeshSilhouette.h"
 #include "TriangularSilhouette.h"
 #include "VisibleNonVisibleSilhouette.h"
 
@@ -43,6 +44,8 @@ std::unique_ptr<SilhouetteFinder> construct(SilhouetteMethod method, double copl
     return std::make_unique<HybridSilhouette>(coplanarTolerance);
   case SilhouetteMethod::Hierarchical:
     return std::make_unique<HierarchicalSilhouette>();
+  case SilhouetteMethod::TopologyAwareMesh:
+    return std::make_unique<TopologyAwareMeshSilhouette>();
   default:
     throw std::invalid_argument(toString(method) + " finds silhouettes on the GPU only");
   }
@@ -66,6 +69,7 @@ const std::vector<SilhouetteMethod>& getSilhouetteMethods()
                                                         SilhouetteMethod::VisibleNonVisible,
                                                         SilhouetteMethod::Hybrid,
                                                         SilhouetteMethod::Hierarchical,
+                                                        SilhouetteMethod::TopologyAwareMesh,
                                                         SilhouetteMethod::FacingTexture,
                                                         SilhouetteMethod::FacingTextureResident,
                                                         SilhouetteMethod::VertexTexture,
@@ -93,6 +97,8 @@ std::string toString(SilhouetteMethod method)
     return "hybrid";
   case SilhouetteMethod::Hierarchical:
     return "hierarchical";
+  case SilhouetteMethod::TopologyAwareMesh:
+    return "topology-aware-mesh";
   case SilhouetteMethod::FacingTexture:
     return "facing-texture";
   case SilhouetteMethod::FacingTextureResident:

@@ -25,6 +25,7 @@ enum class SilhouetteMethod
   VisibleNonVisible, ///< VnV: edges with one neighbour that faces the light (Kolivand & Sunar 2011)
   Hybrid,            ///< HSD: TA on polygons merged from coplanar triangles (Kolivand & Sunar 2011)
   Hierarchical,      ///< only clusters of triangles that do not face the light as one
+  TopologyAwareMesh, ///< TAM: each triangle compares itself with its neighbours (Valient 2005)
   // On the GPU, see nodes/drawable:
   FacingTexture,         ///< facing drawn into a texture and read back (Shi 2006, chapter 3.3)
   FacingTextureResident, ///< the same without reading it back

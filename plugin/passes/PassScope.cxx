@@ -8,6 +8,8 @@
 #include <vtkSSAAPass.h>
 #include <vtkSequencePass.h>
 
+#include "vtkSilhouettePass.h"
+
 namespace shadow
 {
 
@@ -61,6 +63,10 @@ bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside)
   if (auto* supersampling = vtkSSAAPass::SafeDownCast(tree))
   {
     return search(supersampling->GetDelegatePass(), pass, othersBeside);
+  }
+  if (auto* outlines = vtkSilhouettePass::SafeDownCast(tree))
+  {
+    return search(outlines->GetDelegatePass(), pass, othersBeside);
   }
   if (auto* image = vtkImageProcessingPass::SafeDownCast(tree))
   {

@@ -131,8 +131,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   if (!isInvertible(transform->matrix))
   {
     const std::string reason = "its transform flattens it or is not finite";
-    this->skip(actor, reason);
-    this->errors.push_back(transform->name + " has no shadow: " + reason);
+    this->refuse(transform->name, reason, settings);
     return;
   }
   transform->clearChildren();
@@ -182,8 +181,7 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
   }
   if (!mesh.error.empty())
   {
-    this->skipped.insert({name, mesh.error});
-    this->errors.push_back(name + " has no shadow: " + mesh.error);
+    this->refuse(name, mesh.error, settings);
   }
   return mesh.geode;
 }
@@ -201,6 +199,12 @@ vtkProp* SceneBuilder::findActor(const Node* transform) const
   const auto places = std::count_if(this->transforms.begin(), this->transforms.end(),
                                     [&](const auto& entry) { return entry.first.back() == actor; });
   return places == 1 ? actor : nullptr;
+}
+
+void SceneBuilder::refuse(const std::string& name, const std::string& reason, const Settings& settings)
+{
+  this->skipped.insert({name, reason});
+  this->errors.push_back(name + " has no " + settings.product + ": " + reason);
 }
 
 std::string SceneBuilder::describe(vtkProp* prop) const

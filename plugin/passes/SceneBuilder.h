@@ -32,7 +32,9 @@ public:
   struct Settings
   {
     double weldTolerance = 0.0;
-    std::function<bool(vtkProp*)> isCasting; ///< asked for every prop on the way to an actor
+    std::function<bool(vtkProp*)>
+        isCasting;                  ///< asked for every prop on the way to an actor; see Node::casting
+    std::string product = "shadow"; ///< what a prop that cannot be used has none of, for messages
   };
 
   /// Makes the children of @p root what the renderer shows now.
@@ -83,6 +85,7 @@ private:
                 const Settings& settings, Group& root);
   std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const Settings& settings,
                                      const std::string& name);
+  void refuse(const std::string& name, const std::string& reason, const Settings& settings);
   std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
   void skip(vtkProp* prop, const std::string& reason);
   void dropUnused();

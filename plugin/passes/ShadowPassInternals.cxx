@@ -3,38 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include <glm/gtc/type_ptr.hpp>
-
-#include <vtkMatrix3x3.h>
-#include <vtkMatrix4x4.h>
-#include <vtkOpenGLCamera.h>
 #include <vtkOpenGLState.h>
-#include <vtkProp.h>
 
 #include "OpenGL.h"
 #include "ShadowVolumeGPUEffect.h"
 #include "Stopwatch.h"
-
-namespace
-{
-
-// The matrices and the viewport that VTK is about to draw with.
-shadow::View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
-{
-  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
-  vtkMatrix4x4* viewFromWorld = nullptr;
-  vtkMatrix3x3* normals = nullptr;
-  vtkMatrix4x4* clipFromView = nullptr;
-  vtkMatrix4x4* clipFromWorld = nullptr;
-  camera->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
-  // These matrices are transposed, and VTK stores rows where GLM stores columns.
-  const glm::dmat4 clip = glm::make_mat4(clipFromView->GetData()) * glm::make_mat4(viewFromWorld->GetData());
-  int viewport[4] = {0, 0, 0, 0};
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  return shadow::makeView(clip, viewport[2], viewport[3]);
-}
-
-} // namespace
 
 //------------------------------------------------------------------------------
 vtkShadowVolumePass::vtkInternals::RendererState::~RendererState()
@@ -45,29 +18,18 @@ vtkShadowVolumePass::vtkInternals::RendererState::~RendererState()
 //------------------------------------------------------------------------------
 void vtkShadowVolumePass::vtkInternals::RendererState::Release()
 {
-  const bool contextLost = this->Window == nullptr || this->Sentinel->GetHandle() == 0;
-  if (!contextLost)
-  {
-    this->Window->MakeCurrent();
-  }
-  this->Effect->release(contextLost);
-  if (!contextLost)
-  {
-    this->Sentinel->ReleaseGraphicsResources(this->Window);
-  }
+  this->Context.release([this](bool contextLost) { this->Effect->release(contextLost); });
 }
 
 //------------------------------------------------------------------------------
 void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
 {
-  this->Window->MakeCurrent();
-  if (this->Sentinel->GetHandle() == 0)
-  {
-    this->Effect->release(true);
-    this->Refusals.clear();
-    this->Sentinel->SetContext(this->Window);
-    this->Sentinel->Allocate2D(1, 1, 4, VTK_UNSIGNED_CHAR);
-  }
+  this->Context.acquire(
+      [this]
+      {
+        this->Effect->release(true);
+        this->Refusals.clear();
+      });
 }
 
 //------------------------------------------------------------------------------
@@ -125,14 +87,12 @@ vtkShadowVolumePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpen
 {
   for (auto entry = this->Renderers.begin(); entry != this->Renderers.end();)
   {
-    entry = entry->second->Renderer == nullptr ? this->Renderers.erase(entry) : std::next(entry);
+    entry = entry->second->Context.getRenderer() == nullptr ? this->Renderers.erase(entry) : std::next(entry);
   }
   std::unique_ptr<RendererState>& state = this->Renderers[renderer];
-  if (state == nullptr || state->Window != window)
+  if (state == nullptr || state->Context.getWindow() != window)
   {
-    state = std::make_unique<RendererState>();
-    state->Renderer = renderer;
-    state->Window = window;
+    state = std::make_unique<RendererState>(renderer, window);
   }
   state->Acquire();
   return *state;
@@ -153,7 +113,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
   this->LightingMilliseconds = 0.0;
 
   this->SceneMilliseconds = 0.0;
-  state.View = currentView(renderer, window);
+  state.View = shadow::currentView(renderer, window);
   const shadow::LightList lights = shadow::collectLights(renderer);
 
   if (!this->RenderMask(self, state, lights))
@@ -207,7 +167,7 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
     settings.findHiddenBacks = !state.Builder.mayBeSeenThrough();
     this->SceneMilliseconds += scene.getMilliseconds();
     std::string error;
-    if (state.Effect->renderMask(state.Window, state.View, lights.lights, settings, error))
+    if (state.Effect->renderMask(state.Context.getWindow(), state.View, lights.lights, settings, error))
     {
       this->UsedMethod = static_cast<int>(settings.silhouetteMethod);
       this->AddNote(note);
@@ -231,8 +191,8 @@ void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, R
 {
   shadow::SceneBuilder::Settings settings;
   settings.weldTolerance = self->WeldTolerance;
-  settings.isCasting = [this](vtkProp* prop) { return this->IsCasting(prop); };
-  if (state.Builder.update(state.Renderer, settings, *state.Effect))
+  settings.isCasting = [this](vtkProp* prop) { return !this->NotCasting.has(prop); };
+  if (state.Builder.update(state.Context.getRenderer(), settings, *state.Effect))
   {
     this->ShaderTime.Modified();
     this->ShaderMessages.clear();
@@ -262,7 +222,7 @@ void vtkShadowVolumePass::vtkInternals::SetHiddenSide(vtkProp* prop)
   const auto hidden = this->HiddenBacks.find(prop);
   if (hidden != this->HiddenBacks.end())
   {
-    vtkOpenGLState* state = this->Current->Window->GetState();
+    vtkOpenGLState* state = this->Current->Context.getWindow()->GetState();
     state->vtkglEnable(GL_CULL_FACE);
     state->vtkglCullFace(hidden->second == shadow::FaceCulling::Front ? GL_FRONT : GL_BACK);
   }
@@ -280,42 +240,12 @@ void vtkShadowVolumePass::vtkInternals::Release(vtkWindow* window)
 {
   for (auto& entry : this->Renderers)
   {
-    if (entry.second->Window == window)
+    if (entry.second->Context.getWindow() == window)
     {
       entry.second->Release();
     }
   }
-  for (vtkRenderPass* pass :
-       {static_cast<vtkRenderPass*>(this->LightsPass), static_cast<vtkRenderPass*>(this->OpaquePass),
-        static_cast<vtkRenderPass*>(this->TranslucentPass), static_cast<vtkRenderPass*>(this->VolumetricPass),
-        static_cast<vtkRenderPass*>(this->OverlayPass)})
-  {
-    pass->ReleaseGraphicsResources(window);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowVolumePass::vtkInternals::SetCasting(vtkProp* prop, bool casting)
-{
-  for (auto entry = this->NotCasting.begin(); entry != this->NotCasting.end();)
-  {
-    entry = entry->second == nullptr ? this->NotCasting.erase(entry) : std::next(entry);
-  }
-  if (casting)
-  {
-    this->NotCasting.erase(prop);
-  }
-  else
-  {
-    this->NotCasting[prop] = prop;
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkShadowVolumePass::vtkInternals::IsCasting(vtkProp* prop) const
-{
-  const auto entry = this->NotCasting.find(prop);
-  return entry == this->NotCasting.end() || entry->second != prop;
+  this->Passes.ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

@@ -7,21 +7,11 @@
 #include <string>
 #include <vector>
 
-#include <vtkCameraPass.h>
-#include <vtkLightsPass.h>
-#include <vtkNew.h>
-#include <vtkOpaquePass.h>
-#include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLRenderer.h>
-#include <vtkOverlayPass.h>
-#include <vtkTextureObject.h>
 #include <vtkTimeStamp.h>
-#include <vtkTranslucentPass.h>
-#include <vtkVolumetricPass.h>
-#include <vtkWeakPointer.h>
 
 #include "LightCollector.h"
 #include "LightingHook.h"
+#include "PassContext.h"
 #include "SceneBuilder.h"
 #include "ShadowVolumeEffect.h"
 #include "View.h"
@@ -34,15 +24,12 @@ public:
   /// Everything that belongs to one renderer: a pass may serve several.
   struct RendererState
   {
-    vtkWeakPointer<vtkOpenGLRenderer> Renderer;
-    vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+    shadow::PassContext Context;
     shadow::SceneBuilder Builder;
     std::shared_ptr<shadow::ShadowVolumeEffect> Effect = std::make_shared<shadow::ShadowVolumeEffect>();
     shadow::View View;
-    /// One texel that VTK frees with the window's context: tells whether our own GL objects are still there,
-    /// also when the pass has been detached and nobody tells it.
-    vtkNew<vtkTextureObject> Sentinel;
 
+    RendererState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window) : Context(renderer, window) {}
     ~RendererState();
 
     /// What a method had to give way for: as many as the GL has turned out to be unable to do since the
@@ -73,17 +60,11 @@ public:
   void SetHiddenSide(vtkProp* prop);
 
   void Release(vtkWindow* window);
-  void SetCasting(vtkProp* prop, bool casting);
-  bool IsCasting(vtkProp* prop) const;
   void AddMessage(const std::string& message); ///< of something left out
   void AddNote(const std::string& note);       ///< of something that leaves the picture as it should be
 
-  vtkNew<vtkCameraPass> CameraPass;
-  vtkNew<vtkLightsPass> LightsPass;
-  vtkNew<vtkOpaquePass> OpaquePass;
-  vtkNew<vtkTranslucentPass> TranslucentPass;
-  vtkNew<vtkVolumetricPass> VolumetricPass;
-  vtkNew<vtkOverlayPass> OverlayPass;
+  shadow::ScenePasses Passes;
+  shadow::PropExclusions NotCasting;
   bool InsideCameraPass = false;
 
   shadow::LightingHook Hook;
@@ -110,8 +91,6 @@ private:
   bool RenderMask(vtkShadowVolumePass* self, RendererState& state, const shadow::LightList& lights);
 
   void CollectHiddenBacks(const RendererState& state);
-
-  std::map<vtkProp*, vtkWeakPointer<vtkProp>> NotCasting;
 };
 
 #endif

@@ -59,9 +59,9 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   {
     // A complete pass: the camera pass sets viewport and background, then calls back.
     this->Internals->InsideCameraPass = true;
-    this->Internals->CameraPass->SetDelegatePass(this);
-    this->Internals->CameraPass->Render(s);
-    this->Internals->CameraPass->SetDelegatePass(nullptr);
+    this->Internals->Passes.camera->SetDelegatePass(this);
+    this->Internals->Passes.camera->Render(s);
+    this->Internals->Passes.camera->SetDelegatePass(nullptr);
     this->Internals->InsideCameraPass = false;
     return;
   }
@@ -76,7 +76,7 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
                         (this->Scope == SCOPE_AUTO && !shadow::othersDrawTheRest(renderer, this));
   if (complete)
   {
-    this->RenderPart(this->Internals->LightsPass, s);
+    this->RenderPart(this->Internals->Passes.lights, s);
   }
   const bool shadowed = this->Internals->PrepareMask(this, renderer, window);
   if (shadowed)
@@ -85,13 +85,13 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   }
   else
   {
-    this->RenderPart(this->Internals->OpaquePass, s);
+    this->RenderPart(this->Internals->Passes.opaque, s);
   }
   if (complete)
   {
-    this->RenderPart(this->Internals->TranslucentPass, s);
-    this->RenderPart(this->Internals->VolumetricPass, s);
-    this->RenderPart(this->Internals->OverlayPass, s);
+    this->RenderPart(this->Internals->Passes.translucent, s);
+    this->RenderPart(this->Internals->Passes.volumetric, s);
+    this->RenderPart(this->Internals->Passes.overlay, s);
   }
   if (!this->Internals->Message.empty() && this->Internals->Message != this->Internals->ReportedMessage)
   {
@@ -112,7 +112,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
 {
   vtkInternals& internals = *this->Internals;
   shadow::LightingHook& hook = internals.Hook;
-  vtkOpenGLState* state = internals.Current->Window->GetState();
+  vtkOpenGLState* state = internals.Current->Context.getWindow()->GetState();
   const shadow::Stopwatch stage;
 
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
@@ -122,12 +122,12 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   if (this->Compositing == COMPOSITING_MASK)
   {
     hook.pass = shadow::LightingHook::AllLights;
-    this->RenderPart(internals.OpaquePass, s);
+    this->RenderPart(internals.Passes.opaque, s);
   }
   else
   {
     hook.pass = shadow::LightingHook::AmbientOnly;
-    this->RenderPart(internals.OpaquePass, s);
+    this->RenderPart(internals.Passes.opaque, s);
     const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
     const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     const vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
@@ -137,7 +137,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
     for (std::size_t light = 0; light < hook.strength.size() && light < shadow::maximumLights; ++light)
     {
       hook.pass = static_cast<int>(light);
-      internals.OpaquePass->Render(s);
+      internals.Passes.opaque->Render(s);
       ++internals.LightingPasses;
     }
   }
@@ -201,7 +201,7 @@ void vtkShadowVolumePass::SetCasting(vtkProp* prop, bool casting)
   }
   if (casting != this->GetCasting(prop))
   {
-    this->Internals->SetCasting(prop, casting);
+    this->Internals->NotCasting.set(prop, !casting);
     this->Modified();
   }
 }
@@ -209,14 +209,14 @@ void vtkShadowVolumePass::SetCasting(vtkProp* prop, bool casting)
 //------------------------------------------------------------------------------
 bool vtkShadowVolumePass::GetCasting(vtkProp* prop)
 {
-  return this->Internals->IsCasting(prop);
+  return !this->Internals->NotCasting.has(prop);
 }
 
 //------------------------------------------------------------------------------
 bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
 {
   const auto& current = this->Internals->Current;
-  if (image == nullptr || current == nullptr || current->Window == nullptr ||
+  if (image == nullptr || current == nullptr || current->Context.getWindow() == nullptr ||
       this->GetStatus() == STATUS_NOT_SUPPORTED)
   {
     vtkErrorMacro("GetShadowMask needs an image and a rendering with shadows before it.");
@@ -228,12 +228,12 @@ bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
     return false;
   }
   shadow::ShadowTarget& target = current->Effect->getTarget();
-  if (target.getWidth() == 0 || current->Sentinel->GetHandle() == 0)
+  if (target.getWidth() == 0 || current->Context.isLost())
   {
     vtkErrorMacro("the shadow mask has been released; render again.");
     return false;
   }
-  current->Window->MakeCurrent();
+  current->Context.getWindow()->MakeCurrent();
   image->SetDimensions(target.getWidth(), target.getHeight(), 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
@@ -243,7 +243,7 @@ bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
     image->Modified();
     return true;
   }
-  const std::vector<unsigned char> mask = target.readMask(current->Window, light);
+  const std::vector<unsigned char> mask = target.readMask(current->Context.getWindow(), light);
   std::copy(mask.begin(), mask.end(), pixels);
   image->Modified();
   return true;

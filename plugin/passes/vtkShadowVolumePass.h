@@ -95,10 +95,11 @@ public:
     SILHOUETTE_EDGE_BUFFER, ///< triangles flip bits at their edges (Buchanan & Sousa 2000)
     SILHOUETTE_TRIANGULAR,  ///< TA: a set of directed edges that cancel (Kolivand & Sunar 2011)
     SILHOUETTE_VISIBLE_NONVISIBLE, ///< VnV: edges with one neighbour facing the light (Kolivand & Sunar 2011)
-    SILHOUETTE_HYBRID,         ///< HSD: TA on polygons merged from coplanar triangles (Kolivand & Sunar 2011)
-    SILHOUETTE_HIERARCHICAL,   ///< on the CPU, skipping clusters of triangles that face the light as one
-    SILHOUETTE_FACING_TEXTURE, ///< facing drawn by the GPU into a texture and read back (Shi 2006,
-                               ///< chapter 3.3)
+    SILHOUETTE_HYBRID,       ///< HSD: TA on polygons merged from coplanar triangles (Kolivand & Sunar 2011)
+    SILHOUETTE_HIERARCHICAL, ///< on the CPU, skipping clusters of triangles that face the light as one
+    SILHOUETTE_TOPOLOGY_AWARE_MESH,     ///< TAM: triangles compare themselves with their neighbours (Valient)
+    SILHOUETTE_FACING_TEXTURE,          ///< facing drawn by the GPU into a texture and read back (Shi 2006,
+                                        ///< chapter 3.3)
     SILHOUETTE_FACING_TEXTURE_RESIDENT, ///< the same without reading it back
     SILHOUETTE_VERTEX_TEXTURE,          ///< state of every edge drawn by the GPU into a texture (Brabec &
                                         ///< Seidel 2003)
@@ -126,6 +127,7 @@ public:
   void SetSilhouetteMethodToVisibleNonVisible() { this->SetSilhouetteMethod(SILHOUETTE_VISIBLE_NONVISIBLE); }
   void SetSilhouetteMethodToHybrid() { this->SetSilhouetteMethod(SILHOUETTE_HYBRID); }
   void SetSilhouetteMethodToHierarchical() { this->SetSilhouetteMethod(SILHOUETTE_HIERARCHICAL); }
+  void SetSilhouetteMethodToTopologyAwareMesh() { this->SetSilhouetteMethod(SILHOUETTE_TOPOLOGY_AWARE_MESH); }
   ///@}
 
   ///@{

@@ -179,7 +179,8 @@ void registerIndexed(const std::string& name, const std::shared_ptr<const SEDGeo
 {
   for (const SilhouetteMethod method :
        {SilhouetteMethod::Triangular, SilhouetteMethod::VisibleNonVisible, SilhouetteMethod::Hybrid,
-        SilhouetteMethod::EdgeBuffer, SilhouetteMethod::BruteForce, SilhouetteMethod::Hierarchical})
+        SilhouetteMethod::EdgeBuffer, SilhouetteMethod::BruteForce, SilhouetteMethod::Hierarchical,
+        SilhouetteMethod::TopologyAwareMesh})
   {
     benchmark::RegisterBenchmark(("Silhouette/" + name + "/" + toString(method) + "/indexed").c_str(),
                                  [geometry, method, likeThePaper](auto& state)

@@ -49,4 +49,36 @@ Ray PixelRays::through(double x, double y) const
   return ray;
 }
 
+glm::dvec4 PixelRays::toClip(const glm::dvec3& point) const
+{
+  const glm::dvec4 p(point, 1.0);
+  return {glm::dot(this->rowX, p), glm::dot(this->rowY, p), glm::dot(this->nearPlane, p),
+          glm::dot(this->rowW, p)};
+}
+
+glm::dvec2 PixelRays::toPixels(const glm::dvec4& clip) const
+{
+  return (glm::dvec2(clip) / clip.w + 1.0) / this->ndcPerPixel;
+}
+
+glm::dvec3 PixelRays::atHeight(const Ray& ray, double height) const
+{
+  return ray.origin + height / glm::dot(glm::dvec3(this->nearPlane), ray.direction) * ray.direction;
+}
+
+glm::dvec4 PixelRays::eye() const
+{
+  // The one point that has x = y = w = 0.
+  const glm::dvec3 x(this->rowX), y(this->rowY), w(this->rowW);
+  const glm::dvec3 position =
+      -(this->rowX.w * glm::cross(y, w) + this->rowY.w * glm::cross(w, x) + this->rowW.w * glm::cross(x, y));
+  const double weight = glm::dot(glm::cross(x, y), w);
+  if (weight != 0.0)
+  {
+    return {position / weight, 1.0};
+  }
+  const double outwards = glm::dot(glm::dvec3(this->nearPlane), position) < 0.0 ? 1.0 : -1.0;
+  return {outwards * glm::normalize(position), 0.0};
+}
+
 } // namespace shadow::truth

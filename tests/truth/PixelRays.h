@@ -19,6 +19,19 @@ public:
   /// column i and row j (row 0 is the lowest) is (i + 0.5, j + 0.5).
   Ray through(double x, double y) const;
 
+  /// A point of the rays' space in clip space, but for z: there its height over the near plane, 0 on it and
+  /// rising inwards as z + w does.
+  glm::dvec4 toClip(const glm::dvec3& point) const;
+
+  /// The point of the window, in pixels, that a clip space position with w > 0 falls on.
+  glm::dvec2 toPixels(const glm::dvec4& clip) const;
+
+  /// Where a ray of this view has a given height over the near plane.
+  glm::dvec3 atHeight(const Ray& ray, double height) const;
+
+  /// Where all rays come from: a position (w = 1) or, of a parallel view, the direction towards it (w = 0).
+  glm::dvec4 eye() const;
+
 private:
   glm::dvec4 rowX, rowY, rowW, nearPlane;
   glm::dvec2 ndcPerPixel;

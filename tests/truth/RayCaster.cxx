@@ -71,7 +71,13 @@ std::optional<Hit> hitTriangle(const LocalTriangle& triangle, const Ray& ray)
 bool blocks(const LocalTriangle& triangle, const glm::dvec3& point, double pointRounding,
             const glm::dvec3& direction, const LocalLight& light)
 {
-  if (!triangle.casts || !lineVolumes(triangle, point, direction).crosses())
+  return triangle.casts && separates(triangle, point, pointRounding, direction, light);
+}
+
+bool separates(const LocalTriangle& triangle, const glm::dvec3& point, double pointRounding,
+               const glm::dvec3& direction, const LocalLight& light)
+{
+  if (!lineVolumes(triangle, point, direction).crosses())
   {
     return false;
   }
@@ -177,6 +183,26 @@ Answer RayCaster::answer(const Ray& ray, const LocalLight& light) const
     return Answer::Background;
   }
   return this->isReached(*hit, light) ? Answer::Reached : Answer::Shadowed;
+}
+
+bool RayCaster::isCovered(const glm::dvec3& point, double pointRounding, const Ray& ray,
+                          const std::array<std::uint32_t, 2>& without) const
+{
+  const LocalLight eye{glm::dvec4(ray.origin, 1.0), pointRounding};
+  const glm::dvec3 direction = ray.origin - point;
+  bool covered = false;
+  this->bvh.traverse(point, direction, 1.0,
+                     [&](std::uint32_t position)
+                     {
+                       const LocalTriangle& triangle = this->triangles[position];
+                       const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+                       const bool front = glm::dot(normal, ray.direction) * ray.frontSign > 0.0;
+                       covered = !(front ? triangle.hideFront : triangle.hideBack) &&
+                                 triangle.index != without[0] && triangle.index != without[1] &&
+                                 separates(triangle, point, pointRounding, direction, eye);
+                       return covered;
+                     });
+  return covered;
 }
 
 } // namespace shadow::truth

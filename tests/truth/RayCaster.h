@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "TriangleTests.h"
@@ -65,6 +67,14 @@ public:
 
   Answer answer(const Ray& ray, const LocalLight& light) const;
 
+  /// Whether a visible triangle crosses the open segment from the ray's origin to a point of the ray, by the
+  /// rules by which triangles block light: one whose plane the point lies in does not.
+  ///
+  /// @param point          caster's space; off by no more than @p pointRounding
+  /// @param without        two triangles, in Scene::triangles, that are not asked
+  bool isCovered(const glm::dvec3& point, double pointRounding, const Ray& ray,
+                 const std::array<std::uint32_t, 2>& without) const;
+
 private:
   bool isBlocked(const Hit& hit, const LocalLight& light) const;
 
@@ -77,8 +87,13 @@ private:
 /// triangle. Hit::position is left 0.
 std::optional<Hit> hitTriangle(const LocalTriangle& triangle, const Ray& ray);
 
-/// Whether the triangle crosses the open segment from a point to the light, by the rules of RayCaster.
+/// Whether the triangle crosses the open segment from a point to the light, by the rules of RayCaster;
+/// whether it casts or not.
 /// @param direction  from the point to the light
+bool separates(const LocalTriangle& triangle, const glm::dvec3& point, double pointRounding,
+               const glm::dvec3& direction, const LocalLight& light);
+
+/// The same for triangles that cast.
 bool blocks(const LocalTriangle& triangle, const glm::dvec3& point, double pointRounding,
             const glm::dvec3& direction, const LocalLight& light);
 

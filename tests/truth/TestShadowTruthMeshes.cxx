@@ -1,16 +1,14 @@
 // Real meshes on a floor, held against the truth by every method.
-#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <vtkOBJReader.h>
 
 #include "ExpectTrueMask.h"
+#include "MeshFolder.h"
 
 namespace shadow::truth
 {
@@ -27,30 +25,11 @@ enum class LightKind
 using Size = std::array<int, 2>;
 using MeshView = std::tuple<std::string, Size, LightKind>; // file, pixels, light
 
-/// The mesh files that are there; none is fine.
-std::vector<std::string> findMeshes()
-{
-  std::vector<std::string> files;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(SHADOW_MODELS, error))
-  {
-    if (entry.path().extension() == ".obj")
-    {
-      files.push_back(entry.path().string());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 std::string nameOf(const testing::TestParamInfo<MeshView>& info)
 {
   const auto& [file, size, light] = info.param;
-  std::string name = std::filesystem::path(file).stem().string();
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name + (light == LightKind::Point ? "_Point_" : "_Directional_") + std::to_string(size[0]) + "x" +
-         std::to_string(size[1]);
+  return toTestName(file) + (light == LightKind::Point ? "_Point_" : "_Directional_") +
+         std::to_string(size[0]) + "x" + std::to_string(size[1]);
 }
 
 /// Over the viewer's left shoulder, half as high again as the mesh is large.
@@ -95,7 +74,7 @@ TEST_P(MeshTruth, OnAFloor_EveryMethodIsRight)
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshTruth,
-                         testing::Combine(testing::ValuesIn(findMeshes()),
+                         testing::Combine(testing::ValuesIn(findMeshes(SHADOW_MODELS)),
                                           testing::Values(Size{640, 480}, Size{1280, 720}),
                                           testing::Values(LightKind::Point, LightKind::Directional)),
                          nameOf);

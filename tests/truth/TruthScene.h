@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -11,6 +12,7 @@ namespace shadow::truth
 struct Triangle
 {
   glm::dvec3 a{0.0}, b{0.0}, c{0.0};
+  std::uint32_t part = 0; ///< only triangles of one part are neighbours of one another
   bool casts = true;
   bool hideFront =
       false; ///< not seen by the camera from its front (VTK's FrontfaceCulling); casts all the same

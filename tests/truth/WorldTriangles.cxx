@@ -142,6 +142,7 @@ private:
 
   void appendPolygons(vtkPolyData* triangles)
   {
+    const std::uint32_t part = this->scene.triangles.empty() ? 0 : this->scene.triangles.back().part + 1;
     auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
     for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
     {
@@ -151,6 +152,7 @@ private:
       if (count == 3)
       {
         Triangle triangle = this->style;
+        triangle.part = part;
         triangles->GetPoint(ids[0], &triangle.a[0]);
         triangles->GetPoint(ids[1], &triangle.b[0]);
         triangles->GetPoint(ids[2], &triangle.c[0]);

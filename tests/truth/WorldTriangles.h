@@ -14,7 +14,8 @@ namespace shadow::truth
 /// The matrix as GLM keeps it; both multiply column vectors from the left.
 glm::dmat4 toGlm(vtkMatrix4x4* matrix);
 
-/// Appends the surface triangles that an updated mapper draws, in world space and double precision.
+/// Appends the surface triangles that an updated mapper draws, in world space and double precision. Each of
+/// its data sets becomes a part of its own.
 ///
 /// Polygons are fans around their first corner, as VTK's mappers draw them; where a polygon is not flat, this
 /// decides what its surface is. Covers vtkPolyDataMapper, vtkDataSetMapper and the composite mappers with

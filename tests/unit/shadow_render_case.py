@@ -1,4 +1,4 @@
-"""What the tests of shadow_render's command line share: running the program in a folder of its own, and reading the
+"""What the tests of the programs' command lines share: running a program in a folder of its own, and reading the
 pictures that come back without VTK's help or ours.
 """
 
@@ -15,8 +15,8 @@ import shadow_render_files as files
 PROGRAM = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else "shadow_render"
 
 SILHOUETTES = ["auto", "brute-force", "edge-buffer", "triangular", "visible-nonvisible", "hybrid",
-               "hierarchical", "facing-texture", "facing-texture-resident", "vertex-texture", "vertex-extrusion",
-               "geometry-shader", "compute"]
+               "hierarchical", "topology-aware-mesh", "facing-texture", "facing-texture-resident", "vertex-texture",
+               "vertex-extrusion", "geometry-shader", "compute"]
 
 # From straight above, the x axis to the right and the z axis down; 15 pixels are one unit of the scene.
 FROM_ABOVE = ["--size", "120x90", "--camera", "0,10,0,0,0,0,0,0,-1,30", "--parallel", "3"]
@@ -65,10 +65,16 @@ class Picture:
             return (left, above, corner)[distances.index(min(distances))]
         return (0, left, above, (left + above) // 2)[kind]
 
-    def shadow(self):
-        """The pixels of a mask, (x, y) from the top left, that are in shadow."""
+    def having(self, wanted):
+        """The pixels of a mask, (x, y) from the top left, that have a value."""
         assert self.channels == 1
-        return {(x, y) for y, row in enumerate(self.rows) for x, value in enumerate(row) if value == 0}
+        return {(x, y) for y, row in enumerate(self.rows) for x, value in enumerate(row) if value == wanted}
+
+    def shadow(self):
+        return self.having(0)
+
+    def pixel(self, x, y):
+        return tuple(self.rows[y][self.channels * x:self.channels * (x + 1)])
 
 
 class CommandLine(unittest.TestCase):
@@ -107,7 +113,7 @@ class CommandLine(unittest.TestCase):
         with self.subTest(arguments=arguments):
             text = result.stderr.decode()
             self.assertGreater(result.returncode, 0, text)
-            self.assertRegex(text, r"\Ashadow_render: [ -~]+\n\Z")
+            self.assertRegex(text, r"\A" + os.path.basename(PROGRAM) + r": [ -~]+\n\Z")
             self.assertIn(part, text)
             self.assertEqual(result.stdout, b"")
             self.assertEqual(sorted(os.listdir(self.folder.name)), before)

@@ -205,8 +205,9 @@ TEST(SilhouetteMethods, HaveDistinctNamesAndFinders)
               method == SilhouetteMethod::Auto ? SilhouetteMethod::BruteForce : method);
   }
   EXPECT_EQ(names.size(), getSilhouetteMethods().size());
-  for (const char* name : {"auto", "brute-force", "edge-buffer", "triangular", "visible-nonvisible", "hybrid",
-                           "hierarchical", "facing-texture", "facing-texture-resident", "vertex-extrusion"})
+  for (const char* name :
+       {"auto", "brute-force", "edge-buffer", "triangular", "visible-nonvisible", "hybrid", "hierarchical",
+        "topology-aware-mesh", "facing-texture", "facing-texture-resident", "vertex-extrusion"})
   {
     EXPECT_EQ(names.count(name), 1u) << name;
   }

@@ -1,7 +1,7 @@
-"""Exact hard shadows for VTK, by a render pass.
+"""Exact hard shadows and outlines for VTK, by render passes.
 
-    from vtkshadow import vtkShadowVolumePass
-    renderer.SetPass(vtkShadowVolumePass())
+    from vtkshadow import vtkShadowVolumePass, vtkSilhouettePass
+    renderer.SetPass(vtkShadowVolumePass())  # or vtkSilhouettePass()
 
 Without a display, before anything of VTK:
 
@@ -12,9 +12,10 @@ Without a display, before anything of VTK:
 import importlib
 
 # VTK is loaded with the first class that is asked for, so that `import vtkshadow.headless` comes before it.
-_MODULES = {"vtkShadowVolumePass": "vtkShadowPasses", "vtkHeadlessRenderWindow": "vtkShadowHeadless"}
+_MODULES = {"vtkShadowVolumePass": "vtkShadowPasses", "vtkSilhouettePass": "vtkShadowPasses",
+            "vtkHeadlessRenderWindow": "vtkShadowHeadless"}
 
-__all__ = ["vtkShadowVolumePass"]  # the headless window only for those who ask for it
+__all__ = ["vtkShadowVolumePass", "vtkSilhouettePass"]  # the headless window only for those who ask for it
 
 
 def __getattr__(name):

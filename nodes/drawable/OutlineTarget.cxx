@@ -1,0 +1,197 @@
+#include "OutlineTarget.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "OpenGL.h"
+#include "PixelTransferScope.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+constexpr int depthUnit = 0;
+constexpr int slopeUnit = 1;
+
+void bindTexture(vtkOpenGLState* state, int unit, unsigned int texture)
+{
+  state->vtkglActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+// 0 when the GL refuses.
+unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture, unsigned int depthTexture)
+{
+  GLuint made = 0;
+  glGenFramebuffers(1, &made);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, made);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colorTexture, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depthTexture, 0);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  {
+    glDeleteFramebuffers(1, &made);
+    made = 0;
+  }
+  return made;
+}
+
+} // namespace
+
+unsigned int OutlineTarget::makeTexture(int scale, unsigned int internalFormat, unsigned int format,
+                                        unsigned int type) const
+{
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), scale * this->width,
+               scale * this->height, 0, format, type, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  return texture;
+}
+
+bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newDepthScale,
+                             std::string& error)
+{
+  if (this->depthFramebuffer != 0 && newWidth == this->width && newHeight == this->height &&
+      newDepthScale == this->depthScale)
+  {
+    return true;
+  }
+  this->release();
+  this->width = newWidth;
+  this->height = newHeight;
+  this->depthScale = newDepthScale;
+  GLint before = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
+  this->depthTexture = this->makeTexture(newDepthScale, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+  this->slopeTexture = this->makeTexture(newDepthScale, GL_RG32F, GL_RG, GL_FLOAT);
+  this->lineTexture = this->makeTexture(1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
+  glGenVertexArrays(1, &this->emptyVertexArray);
+  this->depthFramebuffer = makeFramebuffer(state, this->slopeTexture, this->depthTexture);
+  this->lineFramebuffer = makeFramebuffer(state, this->lineTexture, 0);
+  if (this->depthFramebuffer == 0 || this->lineFramebuffer == 0)
+  {
+    this->release();
+    error = "the GL refuses an outline target of " + std::to_string(newWidth) + " x " +
+            std::to_string(newHeight) + " pixels";
+    return false;
+  }
+  return true;
+}
+
+void OutlineTarget::setUp(vtkOpenGLState* state, unsigned int framebuffer, int scale) const
+{
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const GLenum drawBuffer = GL_COLOR_ATTACHMENT0;
+  glDrawBuffers(1, &drawBuffer);
+  state->vtkglViewport(0, 0, scale * this->width, scale * this->height);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  const float nothing[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glClearBufferfv(GL_COLOR, 0, nothing);
+}
+
+void OutlineTarget::beginDepth(vtkOpenGLState* state, bool reversedDepth)
+{
+  this->setUp(state, this->depthFramebuffer, this->depthScale);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(reversedDepth ? GL_GREATER : GL_LESS);
+  const float farthest = reversedDepth ? 0.0f : 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program)
+{
+  this->setUp(state, this->lineFramebuffer, 1);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_MAX);
+  bindTexture(state, depthUnit, this->depthTexture);
+  bindTexture(state, slopeUnit, this->slopeTexture);
+  program->SetUniformi("depths", depthUnit);
+  program->SetUniformi("slopes", slopeUnit);
+  program->SetUniformf("depthScale", static_cast<float>(this->depthScale));
+  glBindVertexArray(this->emptyVertexArray);
+}
+
+void OutlineTarget::endLines(vtkOpenGLState* state)
+{
+  glBindVertexArray(0);
+  bindTexture(state, slopeUnit, 0);
+  bindTexture(state, depthUnit, 0);
+}
+
+void OutlineTarget::blend(vtkOpenGLState* state, vtkShaderProgram* program, int margin)
+{
+  int viewport[4] = {0, 0, 0, 0};
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const int first[2] = {margin - viewport[0], margin - viewport[1]};
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  bindTexture(state, depthUnit, this->lineTexture);
+  program->SetUniformi("coverages", depthUnit);
+  program->SetUniform2i("firstPixel", first);
+  program->SetUniformf("farDepth", 0.0f);
+  glBindVertexArray(this->emptyVertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  bindTexture(state, depthUnit, 0);
+}
+
+std::vector<unsigned char> OutlineTarget::readMask(vtkOpenGLRenderWindow* window, int margin) const
+{
+  const int columns = this->width - 2 * margin;
+  const int rows = this->height - 2 * margin;
+  std::vector<unsigned char> mask(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const PixelTransferScope transfer;
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->lineFramebuffer);
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glReadPixels(margin, margin, columns, rows, GL_BLUE, GL_UNSIGNED_BYTE, mask.data());
+  state->PopFramebufferBindings();
+  return mask;
+}
+
+void OutlineTarget::release(bool contextLost)
+{
+  if (!contextLost && this->depthTexture != 0)
+  {
+    glDeleteFramebuffers(1, &this->depthFramebuffer);
+    glDeleteFramebuffers(1, &this->lineFramebuffer);
+    glDeleteTextures(1, &this->depthTexture);
+    glDeleteTextures(1, &this->slopeTexture);
+    glDeleteTextures(1, &this->lineTexture);
+    glDeleteVertexArrays(1, &this->emptyVertexArray);
+  }
+  this->depthFramebuffer = this->lineFramebuffer = this->emptyVertexArray = 0;
+  this->depthTexture = this->slopeTexture = this->lineTexture = 0;
+  this->width = this->height = 0;
+}
+
+std::size_t OutlineTarget::getMemorySize() const
+{
+  // 4 bytes lines; 4 bytes depth and 8 bytes slope
+  const std::size_t pixels = static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height);
+  return (4 + 12 * static_cast<std::size_t>(this->depthScale * this->depthScale)) * pixels;
+}
+
+} // namespace shadow

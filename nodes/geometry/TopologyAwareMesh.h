@@ -1,0 +1,153 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "FacingBits.h"
+#include "SEDGeometry.h"
+
+namespace shadow
+{
+
+/// How a topology-aware mesh lies in memory.
+enum class TAMLayout
+{
+  Full,  ///< three vertices a face, 84 bytes each: position, three corners, three normals, all float32
+  Half,  ///< the same with corners and normals as halves, corners in units of the mesh's reach: 48 bytes each
+  Shared ///< what is common to a face once, in a buffer that shaders fetch from: three normals of 4 bytes,
+         ///< see packNormal(). Positions and corners are the original mesh's own vertex and index buffer
+};
+
+/// The edges of a face that are lines.
+struct FaceEdges
+{
+  std::uint32_t face;
+  std::uint32_t edges; ///< bit k: between the corners k and (k + 1) % 3 in raster order; bit 3 + k: it is a
+                       ///< crease, with the surface on both of its sides unless bit k is set, too
+
+  bool operator==(const FaceEdges& other) const
+  {
+    return this->face == other.face && this->edges == other.edges;
+  }
+};
+
+/// Valient's structure: each face knows its corners and how its neighbours are turned, so that whoever looks
+/// at one face alone can tell which of its edges are on the silhouette.
+///
+/// Faces, corners and edges are those of the SEDGeometry it was made from: face t is triangle t, corners are
+/// in raster order, edge k joins the corners k and (k + 1) % 3.
+///
+/// An edge without a neighbour has the negated normal of its own face, and so is always on the silhouette.
+/// Where three or more triangles meet in an edge, SEDGeometry has paired them: each pair is an edge with two
+/// faces, and who is left has a border there, always drawn. Two faces that are left and run through the edge
+/// the same way, as where a surface that cannot be oriented is cut, are neighbours of which each sees the
+/// other turned over: they are on the silhouette when they face the eye as one.
+///
+/// A face without area has no side. It takes the normal and the facing of the face across its longest edge,
+/// so that a T-junction which such a face closes draws no line across a smooth surface.
+///
+/// Lasts on its own; functions that also need positions are handed the geometry it was made from.
+///
+/// @par Memory  24 bytes a face
+/// @par Source  Valient, "Hardware Generated Object Silhouettes", section 2
+class TopologyAwareMesh
+{
+public:
+  /// @par Cost  O(triangles)
+  explicit TopologyAwareMesh(const SEDGeometry& geometry);
+
+  std::size_t countFaces() const { return this->normals.size(); }
+
+  /// The face across an edge, or noTriangle on a border and where the neighbour is turned over.
+  std::uint32_t getNeighbour(std::size_t face, std::size_t edge) const
+  {
+    return this->neighbours[face][edge];
+  }
+
+  /// The face's own normal, as it is oriented: of length 1, or zero where no neighbour gives it one.
+  const glm::vec3& getNormal(std::size_t face) const { return this->normals[face]; }
+
+  /// The normal stored for an edge: the neighbour's, that of a neighbour that is turned over negated, or the
+  /// negated own one on a border.
+  glm::vec3 getNeighbourNormal(std::size_t face, std::size_t edge) const;
+
+  /// Gives each face without area the bits of the face that stands in for it. Every facing that is handed to
+  /// findLines() has to be completed; LightFacing::mixedWords stays right.
+  void completeFacing(LightFacing& facing) const;
+
+  /// Which edges are lines.
+  struct LineKinds
+  {
+    bool silhouette = true;
+    bool border = true;
+    const std::vector<FaceEdges>* creases = nullptr; ///< findCreases(); drawn whatever their facing is
+  };
+
+  /// The edges that are lines for an eye, each once: it belongs to the lower one of its faces.
+  ///
+  /// An edge is on the silhouette when one of its faces looks towards the eye and the other one does not; a
+  /// face with the eye in its plane does not.
+  ///
+  /// @param facing  towards the eye, as computeFacing() or a SilhouetteFinder gives it, and completed
+  /// @param lines   is overwritten; rising by face
+  /// @par Cost      O(edges of facing.mixedWords, or of the mesh, + borders + creases)
+  void findLines(const SEDGeometry& geometry, const LightFacing& facing, const LineKinds& kinds,
+                 std::vector<FaceEdges>& lines) const;
+
+  /// The edges whose faces' normals are more than an angle apart; borders are none.
+  /// @param degrees  0 to 180
+  /// @par Cost       O(edges)
+  std::vector<FaceEdges> findCreases(const SEDGeometry& geometry, double degrees) const;
+
+  /// The mesh as a GPU takes it: see TAMLayout.
+  std::vector<unsigned char> pack(const SEDGeometry& geometry, TAMLayout layout) const;
+
+  /// Bytes of pack().
+  std::size_t getPackedSize(TAMLayout layout) const;
+
+  /// Bytes that this object holds.
+  std::size_t getMemorySize() const;
+
+private:
+  struct StandIn
+  {
+    std::uint32_t face; ///< without area
+    std::uint32_t source;
+  };
+  /// Two sides, 3 * face + edge, of faces that are turned over to one another.
+  struct TurnedPair
+  {
+    std::uint32_t side;
+    std::uint32_t other;
+  };
+  void linkNeighbours(const SEDGeometry& geometry);
+  void pairBorders(const SEDGeometry& geometry);
+  void findStandIns(const SEDGeometry& geometry);
+
+  std::vector<std::array<std::uint32_t, 3>> neighbours;
+  std::vector<glm::vec3> normals;
+  std::vector<std::uint32_t> borders;  ///< sides without a neighbour, rising
+  std::vector<TurnedPair> turnedPairs; ///< each twice, rising by side
+  std::vector<StandIn> standIns;       ///< a source comes before whoever it stands in for
+};
+
+/// Bytes of the mesh that a topology-aware mesh is held against: 44 for each vertex (position, normal,
+/// tangent, texture coordinates) and three indices a face, of 2 bytes for up to 65,535 vertices and of 4
+/// beyond.
+///
+/// @par Source  Valient, section 2.1. Its 1.53 and 0.77 are 144 and 72 bytes over 94 a face, which takes two
+/// vertices a face; a closed mesh of welded vertices has half a vertex a face, and is smaller than that
+std::size_t getOriginalSize(std::size_t vertices, std::size_t faces);
+
+/// A direction in 32 bits, octahedral, 16 bits a coordinate.
+/// @param normal  length 1; all zeros are packed as +z
+/// @post  unpackNormal() gives a direction less than 1e-4 off
+/// @par Source  Meyer et al. 2010, "On Floating-Point Normal Vectors"
+std::uint32_t packNormal(const glm::vec3& normal);
+glm::vec3 unpackNormal(std::uint32_t packed);
+
+} // namespace shadow

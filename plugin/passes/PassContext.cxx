@@ -1,0 +1,91 @@
+#include "PassContext.h"
+
+#include <iterator>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLCamera.h>
+#include <vtkOpenGLState.h>
+#include <vtkProp.h>
+
+#include "OpenGL.h"
+
+namespace shadow
+{
+
+void PassContext::acquire(const std::function<void()>& forget)
+{
+  this->window->MakeCurrent();
+  if (this->sentinel->GetHandle() == 0)
+  {
+    forget();
+    this->sentinel->SetContext(this->window);
+    this->sentinel->Allocate2D(1, 1, 4, VTK_UNSIGNED_CHAR);
+  }
+}
+
+void PassContext::release(const std::function<void(bool contextLost)>& free)
+{
+  const bool contextLost = this->isLost();
+  if (!contextLost)
+  {
+    this->window->MakeCurrent();
+  }
+  free(contextLost);
+  if (!contextLost)
+  {
+    this->sentinel->ReleaseGraphicsResources(this->window);
+  }
+}
+
+View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+{
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  vtkMatrix4x4* viewFromWorld = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkMatrix4x4* clipFromView = nullptr;
+  vtkMatrix4x4* clipFromWorld = nullptr;
+  camera->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  // These matrices are transposed, and VTK stores rows where GLM stores columns.
+  const glm::dmat4 clip = glm::make_mat4(clipFromView->GetData()) * glm::make_mat4(viewFromWorld->GetData());
+  int viewport[4] = {0, 0, 0, 0};
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  return makeView(clip, viewport[2], viewport[3]);
+}
+
+void ScenePasses::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkRenderPass* pass :
+       {static_cast<vtkRenderPass*>(this->lights), static_cast<vtkRenderPass*>(this->opaque),
+        static_cast<vtkRenderPass*>(this->translucent), static_cast<vtkRenderPass*>(this->volumetric),
+        static_cast<vtkRenderPass*>(this->overlay)})
+  {
+    pass->ReleaseGraphicsResources(window);
+  }
+}
+
+void PropExclusions::set(vtkProp* prop, bool excluded)
+{
+  for (auto entry = this->props.begin(); entry != this->props.end();)
+  {
+    entry = entry->second == nullptr ? this->props.erase(entry) : std::next(entry);
+  }
+  if (excluded)
+  {
+    this->props[prop] = prop;
+  }
+  else
+  {
+    this->props.erase(prop);
+  }
+}
+
+bool PropExclusions::has(vtkProp* prop) const
+{
+  const auto entry = this->props.find(prop);
+  return entry != this->props.end() && entry->second == prop;
+}
+
+} // namespace shadow

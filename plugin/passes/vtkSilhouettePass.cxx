@@ -1,0 +1,198 @@
+#include "vtkSilhouettePass.h"
+
+#include <algorithm>
+#include <array>
+
+#include <vtkHardwareSelector.h>
+#include <vtkImageData.h>
+#include <vtkObjectFactory.h>
+#include <vtkProp.h>
+#include <vtkRenderState.h>
+
+#include "PassScope.h"
+#include "SilhouettePassInternals.h"
+
+vtkStandardNewMacro(vtkSilhouettePass);
+
+//------------------------------------------------------------------------------
+vtkSilhouettePass::vtkSilhouettePass() : Internals(new vtkInternals) {}
+
+//------------------------------------------------------------------------------
+vtkSilhouettePass::~vtkSilhouettePass() = default;
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->Internals->Delegate.GetPointer() << "\n";
+  os << indent << "LinesOnly: " << this->LinesOnly << "\n";
+  os << indent << "LineWidth: " << this->LineWidth << "\n";
+  os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2] << "\n";
+  os << indent << "HiddenEdges: " << this->HiddenEdges << "\n";
+  os << indent << "HiddenColor: " << this->HiddenColor[0] << " " << this->HiddenColor[1] << " "
+     << this->HiddenColor[2] << "\n";
+  os << indent << "HiddenOpacity: " << this->HiddenOpacity << "\n";
+  os << indent << "SilhouetteEdges: " << this->SilhouetteEdges << "\n";
+  os << indent << "BorderEdges: " << this->BorderEdges << "\n";
+  os << indent << "CreaseEdges: " << this->CreaseEdges << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Smooth: " << this->Smooth << "\n";
+  os << indent << "Technique: " << this->Technique << "\n";
+  os << indent << "DepthScale: " << this->DepthScale << "\n";
+  os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
+  os << indent << "MeasureStages: " << this->MeasureStages << "\n";
+  os << indent << "Status: " << this->GetStatus() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::SetDelegatePass(vtkRenderPass* delegatePass)
+{
+  if (delegatePass == this)
+  {
+    vtkErrorMacro("a pass cannot be its own delegate.");
+    return;
+  }
+  if (this->Internals->Delegate != delegatePass)
+  {
+    this->Internals->Delegate = delegatePass;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkSilhouettePass::GetDelegatePass()
+{
+  return this->Internals->Delegate;
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  auto* window =
+      renderer != nullptr ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (window == nullptr)
+  {
+    vtkErrorMacro("needs a renderer in an OpenGL render window.");
+    return;
+  }
+  vtkInternals& internals = *this->Internals;
+  if (renderer->GetPass() == this && !internals.InsideCameraPass)
+  {
+    // A complete pass: the camera pass sets viewport and background, then calls back.
+    internals.InsideCameraPass = true;
+    internals.Passes.camera->SetDelegatePass(this);
+    internals.Passes.camera->Render(s);
+    internals.Passes.camera->SetDelegatePass(nullptr);
+    internals.InsideCameraPass = false;
+    return;
+  }
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    // Picking knows no passes: the selector draws all props itself, in its own colours.
+    this->NumberOfRenderedProps = selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
+    return;
+  }
+  const bool ownScene = !this->LinesOnly && internals.Delegate == nullptr;
+  const bool complete = ownScene && !shadow::othersDrawTheRest(renderer, this);
+  if (ownScene)
+  {
+    this->RenderScene(s, complete);
+  }
+  else if (!this->LinesOnly)
+  {
+    this->RenderPart(internals.Delegate, s);
+  }
+  internals.DrawLines(this, renderer, window);
+  if (complete)
+  {
+    this->RenderPart(internals.Passes.overlay, s);
+  }
+  if (!internals.Message.empty() && internals.Message != internals.ReportedMessage)
+  {
+    vtkWarningMacro(<< internals.Message);
+  }
+  internals.ReportedMessage = internals.Message;
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::RenderScene(const vtkRenderState* s, bool complete)
+{
+  shadow::ScenePasses& passes = this->Internals->Passes;
+  if (!complete)
+  {
+    this->RenderPart(passes.opaque, s);
+    return;
+  }
+  this->RenderPart(passes.lights, s);
+  this->RenderPart(passes.opaque, s);
+  this->RenderPart(passes.translucent, s);
+  this->RenderPart(passes.volumetric, s);
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::RenderPart(vtkRenderPass* pass, const vtkRenderState* s)
+{
+  pass->Render(s);
+  this->NumberOfRenderedProps += pass->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& entry : this->Internals->Renderers)
+  {
+    if (entry.second->Context.getWindow() == window)
+    {
+      entry.second->Release();
+    }
+  }
+  this->Internals->Passes.ReleaseGraphicsResources(window);
+  if (this->Internals->Delegate != nullptr)
+  {
+    this->Internals->Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::SetOutlined(vtkProp* prop, bool outlined)
+{
+  if (prop == nullptr)
+  {
+    vtkErrorMacro("SetOutlined needs a prop.");
+    return;
+  }
+  if (outlined != this->GetOutlined(prop))
+  {
+    this->Internals->NotOutlined.set(prop, !outlined);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSilhouettePass::GetOutlined(vtkProp* prop)
+{
+  return !this->Internals->NotOutlined.has(prop);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSilhouettePass::GetLineMask(vtkImageData* image)
+{
+  auto* current = this->Internals->Current;
+  if (image == nullptr || current == nullptr || current->Context.isLost() ||
+      this->GetStatus() == STATUS_NOT_SUPPORTED)
+  {
+    vtkErrorMacro("GetLineMask needs an image and a rendering with lines before it.");
+    return false;
+  }
+  current->Context.getWindow()->MakeCurrent();
+  const std::vector<unsigned char> mask = current->Effect.readMask(current->Context.getWindow());
+  const std::array<int, 2> size = current->Effect.getSize();
+  image->SetDimensions(size[0], size[1], 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::copy(mask.begin(), mask.end(), static_cast<unsigned char*>(image->GetScalarPointer()));
+  image->Modified();
+  return true;
+}

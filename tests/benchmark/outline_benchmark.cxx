@@ -1,0 +1,333 @@
+// Outlines: what the lines cost beside pass 1 and beside other ways of drawing them, and how many of their
+// pixels are wrong.
+//
+//   bench_outlines [--rounds N] [--size WxH]
+//
+// The camera goes round the mesh, so that edges are found anew in every frame. Medians; all that is compared
+// takes turns. The teapot and the bunny are taken from ../shared/models.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <vtkAppendPolyData.h>
+#include <vtkCamera.h>
+#include <vtkCleanPolyData.h>
+#include <vtkOBJReader.h>
+#include <vtkParametricFunctionSource.h>
+#include <vtkParametricTorus.h>
+#include <vtkSilhouettePass.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTriangleFilter.h>
+
+#include "OutlineDrawers.h"
+#include "OutlineError.h"
+#include "OutlineTruth.h"
+#include "RefinedMesh.h"
+#include "SceneFromRenderer.h"
+#include "Timing.h"
+
+namespace
+{
+
+using namespace shadow::benchmarks;
+using shadow::truth::OutlineError;
+using shadow::truth::OutlineTruth;
+
+struct Effort
+{
+  int rounds = 9;
+  int framesATurn = 3;
+  int width = 640;
+  int height = 480;
+};
+
+using Mesh = vtkSmartPointer<vtkPolyData>;
+
+/// Triangles that share points, as every way of drawing outlines needs them.
+Mesh clean(vtkAlgorithm* source)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputConnection(triangles->GetOutputPort());
+  merged->Update();
+  Mesh mesh = Mesh::New();
+  mesh->SetPoints(merged->GetOutput()->GetPoints());
+  mesh->SetPolys(merged->GetOutput()->GetPolys());
+  return mesh;
+}
+
+/// Twelve rings beside and behind one another, 30,000 triangles.
+Mesh makeRings()
+{
+  vtkNew<vtkParametricTorus> shape;
+  shape->SetRingRadius(0.7);
+  shape->SetCrossSectionRadius(0.28);
+  vtkNew<vtkParametricFunctionSource> ring;
+  ring->SetParametricFunction(shape);
+  ring->SetUResolution(51);
+  ring->SetVResolution(26);
+  vtkNew<vtkAppendPolyData> rings;
+  for (int i = 0; i < 12; ++i)
+  {
+    vtkNew<vtkTransform> place;
+    place->Translate(1.7 * (i % 4), 1.5 * (i / 4 % 3), 0.6 * (i % 3));
+    place->RotateY(40.0 * i);
+    place->RotateX(25.0 * i);
+    vtkNew<vtkTransformPolyDataFilter> placed;
+    placed->SetTransform(place);
+    placed->SetInputConnection(ring->GetOutputPort());
+    rings->AddInputConnection(placed->GetOutputPort());
+  }
+  return clean(rings);
+}
+
+/// Nothing when the file is not there.
+Mesh readModel(const std::string& name)
+{
+  const std::string file = std::string(MODEL_FOLDER) + "/" + name + ".obj";
+  if (!std::filesystem::exists(file))
+  {
+    std::printf("%s is not there: left out\n", file.c_str());
+    return nullptr;
+  }
+  vtkNew<vtkOBJReader> reader;
+  reader->SetFileName(file.c_str());
+  return clean(reader);
+}
+
+void lookAt(OutlineDrawer& drawer)
+{
+  vtkCamera* camera = drawer.getRenderer()->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.4, 0.5, 1.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  drawer.getRenderer()->ResetCamera();
+  camera->Dolly(1.3);
+  drawer.getRenderer()->ResetCameraClippingRange();
+}
+
+OutlineTruth makeTruth(OutlineDrawer& drawer)
+{
+  drawer.readLines();
+  return OutlineTruth(shadow::truth::sceneFromRenderer(drawer.getRenderer()),
+                      shadow::truth::viewFromRenderer(drawer.getRenderer()));
+}
+
+/// What the stages of the pass take with one width of line.
+struct StageTimes
+{
+  double width = 0.0;
+  std::vector<double> first, edges, lines, blend, frame;
+
+  double getSecond() const { return median(this->edges) + median(this->lines) + median(this->blend); }
+};
+
+/// Stages with each width and the plain frame, in turns.
+void measureStages(const Mesh& mesh, const Effort& effort, std::vector<StageTimes>& times, double& plainFrame)
+{
+  const auto plain = makePlainDrawer(mesh, effort.width, effort.height);
+  const auto outlined = makePassDrawer(mesh, effort.width, effort.height);
+  auto* pass = vtkSilhouettePass::SafeDownCast(outlined->getRenderer()->GetPass());
+  std::vector<double> plainFrames;
+  lookAt(*plain);
+  lookAt(*outlined);
+  for (int round = 0; round < effort.rounds; ++round)
+  {
+    plain->drawNext();
+    for (int frame = 0; frame < effort.framesATurn; ++frame)
+    {
+      plainFrames.push_back(plain->drawNext());
+    }
+    for (StageTimes& some : times)
+    {
+      outlined->setLineWidth(some.width);
+      pass->MeasureStagesOff();
+      outlined->drawNext();
+      for (int frame = 0; frame < effort.framesATurn; ++frame)
+      {
+        some.frame.push_back(outlined->drawNext());
+      }
+      pass->MeasureStagesOn();
+      for (int frame = 0; frame < effort.framesATurn; ++frame)
+      {
+        outlined->drawNext();
+        some.first.push_back(pass->GetDepthMilliseconds());
+        some.edges.push_back(pass->GetEdgeMilliseconds());
+        some.lines.push_back(pass->GetLineMilliseconds());
+        some.blend.push_back(pass->GetBlendMilliseconds());
+      }
+    }
+  }
+  plainFrame = median(plainFrames);
+}
+
+/// A ratio of the paper, and what is aimed at.
+std::string describePaper(double width)
+{
+  const double ratio = width == 2.0 ? 4.7 : width == 6.0 ? 8.8 : 0.0;
+  char text[64] = "";
+  if (ratio > 0.0)
+  {
+    std::snprintf(text, sizeof text, "%4.1f   %4.2f", ratio, 0.5 * ratio);
+  }
+  return text;
+}
+
+void compareStages(const std::string& what, const Mesh& mesh, const std::vector<double>& widths,
+                   const Effort& effort)
+{
+  std::vector<StageTimes> times;
+  for (const double width : widths)
+  {
+    times.push_back({width, {}, {}, {}, {}, {}});
+  }
+  double plain = 0.0;
+  measureStages(mesh, effort, times, plain);
+  std::printf("\n%s, %lld triangles; plain VTK %.2f ms a frame\n", what.c_str(),
+              static_cast<long long>(mesh->GetNumberOfPolys()), plain);
+  std::printf(
+      "width  pass 1  pass 2  (edges  lines  blend)   pass 2 : 1  paper  aim    frame    (frame - plain) : "
+      "plain\n");
+  for (const StageTimes& some : times)
+  {
+    const double first = median(some.first);
+    const double frame = median(some.frame);
+    std::printf("%4g  %6.2f  %6.2f  (%5.2f  %5.2f  %5.2f)   %10.2f  %-12s %6.2f ms  %.2f\n", some.width,
+                first, some.getSecond(), median(some.edges), median(some.lines), median(some.blend),
+                some.getSecond() / first, describePaper(some.width).c_str(), frame, (frame - plain) / plain);
+  }
+}
+
+/// How wrong lines are, at the one of the judged widths that fits them best.
+struct Verdict
+{
+  double width = 0.0;
+  OutlineError error;
+};
+
+Verdict judge(OutlineDrawer& drawer, const std::vector<double>& widths, bool setsWidth)
+{
+  const OutlineTruth truth = makeTruth(drawer);
+  drawer.useMaskColours();
+  Verdict best;
+  for (const double width : widths)
+  {
+    if (setsWidth)
+    {
+      drawer.setLineWidth(width);
+    }
+    const OutlineError error = compareOutline(truth, drawer.readLines(), width);
+    if (best.width == 0.0 || error.missing + error.extra < best.error.missing + best.error.extra)
+    {
+      best = {width, error};
+    }
+  }
+  return best;
+}
+
+void compareDrawers(const std::string& what, const Mesh& mesh, double width, const Effort& effort)
+{
+  const auto makers = {&makePlainDrawer, &makePassDrawer, &makeFilterDrawer, &makeGlowDrawer};
+  std::vector<std::unique_ptr<OutlineDrawer>> drawers;
+  for (const auto maker : makers)
+  {
+    drawers.push_back(maker(mesh, effort.width, effort.height));
+    drawers.back()->setLineWidth(width);
+    lookAt(*drawers.back());
+  }
+  std::vector<std::vector<double>> times(drawers.size());
+  for (int round = 0; round < effort.rounds; ++round)
+  {
+    for (std::size_t i = 0; i < drawers.size(); ++i)
+    {
+      drawers[i]->drawNext();
+      for (int frame = 0; frame < effort.framesATurn; ++frame)
+      {
+        times[i].push_back(drawers[i]->drawNext());
+      }
+    }
+  }
+  std::printf("\n%s, %lld triangles, lines of %g pixels\n", what.c_str(),
+              static_cast<long long>(mesh->GetNumberOfPolys()), width);
+  for (std::size_t i = 0; i < drawers.size(); ++i)
+  {
+    std::printf("  %-22s %7.2f ms a frame", drawers[i]->getName().c_str(), median(times[i]));
+    if (i > 0)
+    {
+      const bool glows = i + 1 == drawers.size();
+      lookAt(*drawers[i]);
+      const Verdict verdict =
+          judge(*drawers[i], glows ? std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8} : std::vector<double>{width},
+                !glows);
+      std::printf("; %5zu of %5zu certain line pixels missing, %5zu of %5zu drawn are no line",
+                  verdict.error.missing, verdict.error.certain, verdict.error.extra, verdict.error.drawn);
+      if (glows)
+      {
+        std::printf(" (held against %g pixels, where it is best)", verdict.width);
+      }
+    }
+    std::printf("\n");
+  }
+}
+
+bool readArguments(int argc, char** argv, Effort& effort)
+{
+  for (int i = 1; i < argc; i += 2)
+  {
+    const bool hasValue = i + 1 < argc;
+    if (hasValue && std::strcmp(argv[i], "--rounds") == 0 && std::atoi(argv[i + 1]) > 0)
+    {
+      effort.rounds = std::atoi(argv[i + 1]);
+    }
+    else if (!hasValue || std::strcmp(argv[i], "--size") != 0 ||
+             std::sscanf(argv[i + 1], "%dx%d", &effort.width, &effort.height) != 2 || effort.width < 1 ||
+             effort.height < 1)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  Effort effort;
+  if (!readArguments(argc, argv, effort))
+  {
+    std::fprintf(stderr, "usage: bench_outlines [--rounds N] [--size WxH]\n");
+    return 2;
+  }
+  std::printf("%d x %d pixels, median of %d rounds of %d frames, milliseconds\n", effort.width, effort.height,
+              effort.rounds, effort.framesATurn);
+  const Mesh rings = makeRings();
+  compareStages("Valient's 30,000 visible polygons: twelve rings", rings, {2.0, 6.0}, effort);
+  const Mesh model = readModel("teapot");
+  const Mesh teapot = model ? refineMesh(model, 9217) : nullptr;
+  if (teapot)
+  {
+    compareStages("Valient's figure 4: teapot", teapot, {2.0, 4.0, 8.0}, effort);
+  }
+  for (const double width : {2.0, 4.0})
+  {
+    compareDrawers("rings", rings, width, effort);
+    if (teapot)
+    {
+      compareDrawers("teapot", teapot, width, effort);
+    }
+    if (const Mesh bunny = readModel("stanford-bunny"))
+    {
+      compareDrawers("stanford-bunny", bunny, width, effort);
+    }
+  }
+  return 0;
+}

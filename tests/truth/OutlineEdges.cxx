@@ -1,0 +1,207 @@
+#include "OutlineEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "TriangleTests.h"
+#include "TruthBvh.h"
+
+namespace shadow::truth
+{
+
+namespace
+{
+
+/// What a vertex may be off when its mesh is kept in single precision, relative to the mesh's coordinates.
+constexpr double floatRounding = 1.2e-7;
+
+/// Degrees within which an angle counts as the limit.
+constexpr double angleRounding = 1e-3;
+
+/// A side of a triangle, its ends sorted.
+struct Side
+{
+  std::uint32_t low, high; ///< vertices
+  std::uint32_t triangle;
+};
+
+bool isFinite(const Triangle& triangle)
+{
+  const glm::dvec3 sum = glm::abs(triangle.a) + glm::abs(triangle.b) + glm::abs(triangle.c);
+  return std::isfinite(sum.x + sum.y + sum.z);
+}
+
+/// A number for each corner, the same for those of one part at one place.
+std::vector<std::uint32_t> numberCorners(const Scene& scene)
+{
+  const auto key = [&scene](std::uint32_t corner)
+  {
+    const Triangle& triangle = scene.triangles[corner / 3];
+    const glm::dvec3& p = corner % 3 == 0 ? triangle.a : corner % 3 == 1 ? triangle.b : triangle.c;
+    return std::make_tuple(triangle.part, p.x, p.y, p.z);
+  };
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t corner = 0; corner < 3 * scene.triangles.size(); ++corner)
+  {
+    if (isFinite(scene.triangles[corner / 3]))
+    {
+      order.push_back(corner);
+    }
+  }
+  std::sort(order.begin(), order.end(),
+            [&key](std::uint32_t left, std::uint32_t right) { return key(left) < key(right); });
+  std::vector<std::uint32_t> numbers(3 * scene.triangles.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    numbers[order[i]] = numbers[order[i - 1]] + (key(order[i - 1]) < key(order[i]) ? 1 : 0);
+  }
+  return numbers;
+}
+
+std::vector<Side> sortSides(const Scene& scene, const std::vector<std::uint32_t>& numbers)
+{
+  std::vector<Side> sides;
+  for (std::uint32_t triangle = 0; triangle < scene.triangles.size(); ++triangle)
+  {
+    const std::uint32_t* v = &numbers[3 * triangle];
+    if (isFinite(scene.triangles[triangle]) && v[0] != v[1] && v[1] != v[2] && v[2] != v[0])
+    {
+      for (std::uint32_t side = 0; side < 3; ++side)
+      {
+        const auto [low, high] = std::minmax(v[side], v[(side + 1) % 3]);
+        sides.push_back({low, high, triangle});
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& left, const Side& right) {
+              return std::tie(left.low, left.high, left.triangle) <
+                     std::tie(right.low, right.high, right.triangle);
+            });
+  return sides;
+}
+
+/// Decides which edges are shown.
+class EdgeJudge
+{
+public:
+  EdgeJudge(const Scene& theScene, const PixelRays& rays, const glm::dvec3& theOrigin,
+            const std::optional<double>& crease)
+      : scene(theScene), eye(rays.eye()), origin(theOrigin), creaseDegrees(crease)
+  {
+    Box bounds;
+    for (const Triangle& triangle : scene.triangles)
+    {
+      if (isFinite(triangle))
+      {
+        bounds.add(triangle.a);
+        bounds.add(triangle.b);
+        bounds.add(triangle.c);
+      }
+    }
+    this->rounding = floatRounding * glm::length(bounds.high - bounds.low);
+  }
+
+  /// Adds the edge of the sides [first, last) if it may be shown.
+  void judge(const std::vector<std::uint32_t>& numbers, const Side* first, const Side* last,
+             std::vector<OutlineEdge>& edges) const;
+
+private:
+  /// The triangle of a side, begun with the edge's lower vertex, then its higher one.
+  LocalTriangle turn(const std::vector<std::uint32_t>& numbers, const Side& side) const
+  {
+    std::array<glm::dvec3, 3> corners;
+    const Triangle& triangle = this->scene.triangles[side.triangle];
+    const std::array<glm::dvec3, 3> given = {triangle.a, triangle.b, triangle.c};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::uint32_t number = numbers[3 * side.triangle + i];
+      corners[number == side.low ? 0 : number == side.high ? 1 : 2] = given[i] - this->origin;
+    }
+    return {corners[0], corners[1], corners[2], this->rounding, side.triangle, true, false, false};
+  }
+
+  const Scene& scene;
+  glm::dvec4 eye;
+  glm::dvec3 origin;
+  double rounding;
+  std::optional<double> creaseDegrees;
+};
+
+/// Yes, no, or a matter of rounding.
+enum class Shown
+{
+  No,
+  Perhaps,
+  Yes
+};
+
+Shown isCrease(const LocalTriangle& one, const LocalTriangle& other, double limit)
+{
+  // Both begin with the edge, so neighbours that go on flat have opposite normals here.
+  const glm::dvec3 normal = glm::cross(one.b - one.a, one.c - one.a);
+  const glm::dvec3 otherNormal = -glm::cross(other.b - other.a, other.c - other.a);
+  const double degrees =
+      glm::degrees(std::atan2(glm::length(glm::cross(normal, otherNormal)), glm::dot(normal, otherNormal)));
+  return degrees > limit + angleRounding   ? Shown::Yes
+         : degrees < limit - angleRounding ? Shown::No
+                                           : Shown::Perhaps;
+}
+
+void EdgeJudge::judge(const std::vector<std::uint32_t>& numbers, const Side* first, const Side* last,
+                      std::vector<OutlineEdge>& edges) const
+{
+  const LocalTriangle one = this->turn(numbers, *first);
+  int left = 0;
+  int right = 0;
+  for (const Side* side = first; side < last; ++side)
+  {
+    const int towards = sideOfPlane(this->turn(numbers, *side), this->eye, this->rounding);
+    left += towards > 0 ? 1 : 0;
+    right += towards < 0 ? 1 : 0;
+  }
+  const bool isBorder = last - first == 1;
+  const bool isDoubtful = !isBorder && (left + right < last - first || (left == right && left > 1));
+  Shown shown = isDoubtful ? Shown::Perhaps : isBorder || left != right ? Shown::Yes : Shown::No;
+  OutlineEdge edge{one.a, one.b, {one.index, noNeighbour}, true, 0};
+  edge.inside = left > 0 && right > 0 ? 0 : left > 0 ? 1 : right > 0 ? -1 : 0;
+  if (last - first == 2)
+  {
+    edge.triangles[1] = first[1].triangle;
+    if (this->creaseDegrees)
+    {
+      shown = std::max(shown, isCrease(one, this->turn(numbers, first[1]), *this->creaseDegrees));
+    }
+  }
+  if (shown != Shown::No)
+  {
+    edge.certain = shown == Shown::Yes;
+    edges.push_back(edge);
+  }
+}
+
+} // namespace
+
+std::vector<OutlineEdge> findOutlineEdges(const Scene& scene, const PixelRays& rays,
+                                          const glm::dvec3& originWC,
+                                          const std::optional<double>& creaseDegrees)
+{
+  const std::vector<std::uint32_t> numbers = numberCorners(scene);
+  const std::vector<Side> sides = sortSides(scene, numbers);
+  const EdgeJudge judge(scene, rays, originWC, creaseDegrees);
+  std::vector<OutlineEdge> edges;
+  for (std::size_t i = 0; i < sides.size();)
+  {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high)
+    {
+      ++end;
+    }
+    judge.judge(numbers, &sides[i], sides.data() + end, edges);
+    i = end;
+  }
+  return edges;
+}
+
+} // namespace shadow::truth

@@ -1,0 +1,84 @@
+// Outlines of real meshes, held against the truth.
+#include <ostream>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include <vtkCamera.h>
+#include <vtkOBJReader.h>
+
+#include "MeshFolder.h"
+#include "OutlineScene.h"
+
+namespace shadow::truth
+{
+
+namespace
+{
+
+enum class Projection
+{
+  Perspective,
+  Parallel
+};
+
+using MeshView = std::tuple<std::string, Projection>; // file
+
+std::string nameOf(const testing::TestParamInfo<MeshView>& info)
+{
+  const auto& [file, projection] = info.param;
+  return toTestName(file) + (projection == Projection::Parallel ? "_Parallel" : "_Perspective");
+}
+
+} // namespace
+
+class MeshOutline : public testing::TestWithParam<MeshView>
+{
+protected:
+  MeshOutline() : scene(640, 480)
+  {
+    const auto& [file, projection] = GetParam();
+    vtkNew<vtkOBJReader> reader;
+    reader->SetFileName(file.c_str());
+    this->scene.addSource(reader);
+    this->scene.lookFrom(0.4, 0.5, 1.0, 1.9);
+    if (projection == Projection::Parallel)
+    {
+      vtkCamera* camera = this->scene.renderer->GetActiveCamera();
+      camera->ParallelProjectionOn();
+      camera->SetParallelScale(0.3 * camera->GetDistance());
+      this->scene.renderer->ResetCameraClippingRange();
+    }
+  }
+
+  OutlineScene scene;
+};
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MeshOutline);
+
+TEST_P(MeshOutline, EveryWidth_LinesAreTrue)
+{
+  this->scene.window->Render();
+  expectTrueLines(this->scene, this->scene.makeOutline());
+}
+
+TEST_P(MeshOutline, Creases_LinesAreTrue)
+{
+  this->scene.outlines->CreaseEdgesOn();
+  this->scene.outlines->SetFeatureAngle(40.0);
+  this->scene.window->Render();
+  OutlineOptions options;
+  options.creaseDegrees = 40.0;
+  // A crease has its surface on both sides, which shows by its depth that it is there but not what covers the
+  // line between: hidden by less than this a crease may be drawn.
+  options.offsets.hidden = 0.25;
+  expectTrueLines(this->scene, this->scene.makeOutline(options));
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, MeshOutline,
+                         testing::Combine(testing::ValuesIn(findMeshes(SHADOW_MODELS)),
+                                          testing::Values(Projection::Perspective, Projection::Parallel)),
+                         nameOf);
+
+} // namespace shadow::truth
