@@ -160,8 +160,8 @@ public:
 
   ///@{
   /**
-   * Points of a mesh that are closer than this (in its model units) count as one. Default 0: points with
-   * equal coordinates.
+   * Points of a mesh that are closer than this (in its model units) count as one, and so do, in any case,
+   * points closer than a four-millionth of the mesh's size, which differ by rounding. Default: 0.
    */
   vtkSetClampMacro(WeldTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(WeldTolerance, double);

@@ -185,6 +185,17 @@ TEST(OutlineTruth, SheetUnderASheet_ShowsWhatSticksOut)
   EXPECT_EQ(truth.line(size / 2 + 6, top, 2.0), OutlineTruth::Line::No);
 }
 
+TEST(OutlineTruth, CornersApartByRounding_AreOne)
+{
+  Scene scene;
+  addQuad(scene, {-5.0, -5.0, 0.0}, {5.0, 0.0, 0.0}, {0.0, 10.0, 0.0});
+  addQuad(scene, {1e-7, -5.0, 1e-16}, {5.0, 0.0, 0.0}, {0.0, 10.0, 0.0});
+  const View view = lookingDown(size, half, 10.0);
+  EXPECT_NEAR(lengthOf(OutlineTruth(scene, view).pieces(), true), 40.0 * pixelsPerUnit, 1e-3);
+  addQuad(scene, {1e-3, -5.0, -1.0}, {5.0, 0.0, 0.0}, {0.0, 10.0, 0.0});
+  EXPECT_GT(lengthOf(OutlineTruth(scene, view).pieces(), true), 40.0 * pixelsPerUnit);
+}
+
 TEST(OutlineTruth, PartsThatTouch_AreNoNeighbours)
 {
   Scene scene;
