@@ -45,8 +45,8 @@ void main()
     float side = determinant(mat3(from.xyw, to.xyw, third.xyw));
     outwards = sign(side) * vec2(along.y, -along.x);
   }
-  // One pixel more, since only pixels whose centre is covered are drawn.
-  float margin = lineReach + 1.0;
+  // Pixels are drawn whose centre is covered; vertices are snapped to 1/256 of a pixel.
+  float margin = lineReach + 0.02;
   vec2 across = margin * vec2(-along.y, along.x);
   bool atTo = vertex == 1 || vertex == 2 || vertex == 4;
   bool left = vertex == 2 || vertex == 4 || vertex == 5;

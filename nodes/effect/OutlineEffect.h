@@ -137,6 +137,9 @@ private:
   };
   class SurfaceCollector;
 
+  static constexpr const char* noShader = "a shader of the outlines does not compile on this GL";
+  static constexpr double softness = 0.5; ///< pixels by which a line is drawn beyond its half width
+
   bool drawStages(vtkOpenGLRenderWindow* window, const View& view, const Settings& settings,
                   std::string& error);
   void findLines(const Surface& surface, const Settings& settings);

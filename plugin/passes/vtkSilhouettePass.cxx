@@ -2,136 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <map>
-#include <set>
 
 #include <vtkHardwareSelector.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkProp.h>
 #include <vtkRenderState.h>
-#include <vtkSmartPointer.h>
 
-#include "OutlineEffect.h"
-#include "PassContext.h"
 #include "PassScope.h"
-#include "SceneBuilder.h"
-#include "Stopwatch.h"
-
-/// What vtkSilhouettePass keeps out of its header.
-class vtkSilhouettePass::vtkInternals
-{
-public:
-  /// Everything that belongs to one renderer: a pass may serve several.
-  struct RendererState
-  {
-    shadow::PassContext Context;
-    shadow::SceneBuilder Builder;
-    shadow::OutlineEffect Effect;
-
-    RendererState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window) : Context(renderer, window) {}
-    ~RendererState() { this->Release(); }
-    void Release()
-    {
-      this->Context.release([this](bool contextLost) { this->Effect.release(contextLost); });
-    }
-  };
-
-  /// @post its context is current
-  RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
-
-  /// Mirrors the scene and draws its lines over what is there.
-  void DrawLines(vtkSilhouettePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
-
-  const shadow::OutlineEffect::Statistics& GetStatistics() const
-  {
-    static const shadow::OutlineEffect::Statistics none;
-    return this->Current != nullptr ? this->Current->Effect.getStatistics() : none;
-  }
-
-  vtkSmartPointer<vtkRenderPass> Delegate;
-  shadow::ScenePasses Passes;
-  shadow::PropExclusions NotOutlined;
-  bool InsideCameraPass = false;
-  std::map<vtkOpenGLRenderer*, std::unique_ptr<RendererState>> Renderers;
-  RendererState* Current = nullptr; ///< of the last rendering
-  int Status = STATUS_NOT_RENDERED;
-  std::string Message;
-  std::string ReportedMessage;
-  std::set<shadow::CasterCuller::Skipped> Skipped;
-  double SceneMilliseconds = 0.0;
-};
+#include "SilhouettePassInternals.h"
 
 vtkStandardNewMacro(vtkSilhouettePass);
-
-//------------------------------------------------------------------------------
-vtkSilhouettePass::vtkInternals::RendererState&
-vtkSilhouettePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
-{
-  this->Current = nullptr;
-  for (auto entry = this->Renderers.begin(); entry != this->Renderers.end();)
-  {
-    entry = entry->second->Context.getRenderer() == nullptr ? this->Renderers.erase(entry) : std::next(entry);
-  }
-  std::unique_ptr<RendererState>& state = this->Renderers[renderer];
-  if (state == nullptr || state->Context.getWindow() != window)
-  {
-    state = std::make_unique<RendererState>(renderer, window);
-  }
-  state->Context.acquire([&state] { state->Effect.release(true); });
-  this->Current = state.get();
-  return *state;
-}
-
-//------------------------------------------------------------------------------
-void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpenGLRenderer* renderer,
-                                                vtkOpenGLRenderWindow* window)
-{
-  RendererState& state = this->GetState(renderer, window);
-  this->Status = STATUS_OK;
-  this->Message.clear();
-
-  const shadow::Stopwatch stage;
-  shadow::SceneBuilder::Settings sceneSettings;
-  sceneSettings.weldTolerance = self->WeldTolerance;
-  sceneSettings.weldsRounding = true; // a seam that nobody sees must not show as a border
-  sceneSettings.isCasting = [this](vtkProp* prop) { return !this->NotOutlined.has(prop); };
-  sceneSettings.product = "outline";
-  state.Builder.update(renderer, sceneSettings, state.Effect);
-  this->Skipped = state.Builder.getSkipped();
-  this->SceneMilliseconds = stage.getMilliseconds();
-
-  shadow::OutlineEffect::Settings settings;
-  settings.technique = static_cast<shadow::LineTechnique>(self->Technique);
-  settings.depthScale = self->DepthScale;
-  settings.lineWidth = self->LineWidth;
-  settings.silhouette = self->SilhouetteEdges;
-  settings.border = self->BorderEdges;
-  settings.crease = self->CreaseEdges;
-  settings.featureAngle = self->FeatureAngle;
-  settings.waitAfterStages = self->MeasureStages;
-  shadow::OutlineEffect::Look look;
-  look.color = {self->Color[0], self->Color[1], self->Color[2]};
-  look.hiddenColor = {self->HiddenColor[0], self->HiddenColor[1], self->HiddenColor[2],
-                      self->HiddenEdges ? self->HiddenOpacity : 0.0};
-  look.smooth = self->Smooth;
-  std::string error;
-  if (!state.Effect.renderLines(window, shadow::currentView(renderer, window), settings, error) ||
-      !state.Effect.blend(window, look, self->MeasureStages, error))
-  {
-    this->Status = STATUS_NOT_SUPPORTED;
-    this->Message = error;
-    return;
-  }
-  std::set<std::string> errors(state.Builder.getErrors().begin(), state.Builder.getErrors().end());
-  errors.insert(state.Effect.getErrors().begin(), state.Effect.getErrors().end());
-  for (const std::string& line : errors)
-  {
-    this->Status = STATUS_PARTIAL;
-    this->Message += (this->Message.empty() ? "" : "\n") + line;
-  }
-}
 
 //------------------------------------------------------------------------------
 vtkSilhouettePass::vtkSilhouettePass() : Internals(new vtkInternals) {}
@@ -314,80 +195,4 @@ bool vtkSilhouettePass::GetLineMask(vtkImageData* image)
   std::copy(mask.begin(), mask.end(), static_cast<unsigned char*>(image->GetScalarPointer()));
   image->Modified();
   return true;
-}
-
-//------------------------------------------------------------------------------
-int vtkSilhouettePass::GetStatus() const
-{
-  return this->Internals->Status;
-}
-
-std::string vtkSilhouettePass::GetStatusMessage() const
-{
-  return this->Internals->Message;
-}
-
-vtkIdType vtkSilhouettePass::GetDepthTriangles() const
-{
-  return static_cast<vtkIdType>(this->Internals->GetStatistics().depthTriangles);
-}
-
-vtkIdType vtkSilhouettePass::GetLineTriangles() const
-{
-  return static_cast<vtkIdType>(this->Internals->GetStatistics().lineTriangles);
-}
-
-vtkIdType vtkSilhouettePass::GetLineEdges() const
-{
-  return static_cast<vtkIdType>(this->Internals->GetStatistics().lineEdges);
-}
-
-int vtkSilhouettePass::GetNumberOfSkippedProps() const
-{
-  return static_cast<int>(this->Internals->Skipped.size());
-}
-
-std::string vtkSilhouettePass::GetSkippedProp(int index) const
-{
-  if (index < 0 || index >= this->GetNumberOfSkippedProps())
-  {
-    return "";
-  }
-  const auto skipped = std::next(this->Internals->Skipped.begin(), index);
-  return skipped->name + ": " + skipped->reason;
-}
-
-double vtkSilhouettePass::GetSceneMilliseconds() const
-{
-  return this->Internals->SceneMilliseconds;
-}
-
-double vtkSilhouettePass::GetEdgeMilliseconds() const
-{
-  return this->Internals->GetStatistics().edgeMilliseconds;
-}
-
-double vtkSilhouettePass::GetDepthMilliseconds() const
-{
-  return this->Internals->GetStatistics().depthMilliseconds;
-}
-
-double vtkSilhouettePass::GetLineMilliseconds() const
-{
-  return this->Internals->GetStatistics().lineMilliseconds;
-}
-
-double vtkSilhouettePass::GetBlendMilliseconds() const
-{
-  return this->Internals->GetStatistics().blendMilliseconds;
-}
-
-vtkIdType vtkSilhouettePass::GetMemorySize() const
-{
-  std::size_t bytes = 0;
-  for (const auto& entry : this->Internals->Renderers)
-  {
-    bytes += entry.second->Builder.getMemorySize() + entry.second->Effect.getGraphicsMemorySize();
-  }
-  return static_cast<vtkIdType>(bytes);
 }

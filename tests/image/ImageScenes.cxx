@@ -25,6 +25,7 @@ const std::map<std::string, MakeScene>& imageScenes()
       {"TranslucentAndOverlay", makeTranslucentAndOverlay},
       {"TwoViewports", makeTwoViewports},
       {"Samples4_SmoothEdges", makeSamples},
+      {"Outlines_CreasesAndHiddenOverShadows", makeOutlinesOverShadows},
   };
   return scenes;
 }

@@ -42,6 +42,7 @@ void makeSmoothTexturedAndScalars(truth::ShadowScene& scene);
 void makeTranslucentAndOverlay(truth::ShadowScene& scene);
 void makeTwoViewports(truth::ShadowScene& scene);
 void makeSamples(truth::ShadowScene& scene);
+void makeOutlinesOverShadows(truth::ShadowScene& scene);
 /// @}
 
 } // namespace shadow::test

@@ -7,6 +7,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
+#include <vtkSilhouettePass.h>
 #include <vtkSphereSource.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -125,6 +126,23 @@ void makeSamples(truth::ShadowScene& scene)
   const StillLife stillLife(scene);
   scene.addPointLight(-2.0, 3.5, 2.0);
   scene.pass->SetSamples(4);
+}
+
+void makeOutlinesOverShadows(truth::ShadowScene& scene)
+{
+  const StillLife stillLife(scene);
+  scene.addPointLight(-2.0, 3.5, 2.0);
+  vtkNew<vtkSilhouettePass> outlines;
+  outlines->SetDelegatePass(scene.pass);
+  outlines->SetLineWidth(3.0);
+  outlines->SetColor(0.1, 0.05, 0.3);
+  outlines->CreaseEdgesOn();
+  outlines->SetFeatureAngle(50.0);
+  outlines->HiddenEdgesOn();
+  outlines->SetHiddenColor(0.9, 0.2, 0.2);
+  outlines->SetHiddenOpacity(0.5);
+  outlines->SetOutlined(stillLife.floor, false);
+  scene.renderer->SetPass(outlines);
 }
 
 } // namespace shadow::test

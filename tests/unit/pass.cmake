@@ -35,6 +35,16 @@ if(VTKSHADOW_HEADLESS)
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
+  add_executable(test_outline_pass
+    test_outline_cases.cxx
+    test_outline_pass.cxx
+    test_outline_state.cxx
+    test_outline_windows.cxx)
+  target_link_libraries(test_outline_pass PRIVATE
+    shadow_outline_scene shadow_ball_scene shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings)
+  vtk_module_autoinit(TARGETS test_outline_pass MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
+  gtest_discover_tests(test_outline_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+
   # The groundwork of the GPU methods, without a pass. The benchmarks use the scene as well.
   add_library(shadow_gpu_scene STATIC GpuScene.cxx)
   target_include_directories(shadow_gpu_scene PUBLIC ${CMAKE_CURRENT_LIST_DIR})

@@ -1,0 +1,132 @@
+// Pass 2 of OutlineEffect: which edges are lines, and drawing them.
+#include "OutlineEffect.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include "ShadowPrograms.h"
+#include "SmpParallelFor.h"
+
+namespace shadow
+{
+
+void OutlineEffect::findMesh(const Surface& surface)
+{
+  PathLines& kept = *surface.lines;
+  if (kept.geometry.lock() != surface.geometry)
+  {
+    const SEDGeometry& geometry = *surface.geometry;
+    kept.geometry = surface.geometry;
+    kept.mesh = geometry.getPreparedData().get<TopologyAwareMesh>(0.0, [&geometry]
+                                                                  { return TopologyAwareMesh(geometry); });
+    kept.found = false;
+  }
+}
+
+void OutlineEffect::findLines(const Surface& surface, const Settings& settings)
+{
+  if (surface.lines == nullptr)
+  {
+    return;
+  }
+  this->findMesh(surface);
+  PathLines& kept = *surface.lines;
+  const bool sameCreases = kept.found && kept.settings.crease == settings.crease &&
+                           kept.settings.featureAngle == settings.featureAngle;
+  const bool same = sameCreases && kept.eyeMC == surface.eyeMC &&
+                    kept.settings.silhouette == settings.silhouette &&
+                    kept.settings.border == settings.border;
+  if (same || settings.technique == LineTechnique::Faces)
+  {
+    return;
+  }
+  const SEDGeometry& geometry = *surface.geometry;
+  if (!sameCreases)
+  {
+    kept.creases =
+        settings.crease ? kept.mesh->findCreases(geometry, settings.featureAngle) : std::vector<FaceEdges>();
+  }
+  if (this->finder == nullptr)
+  {
+    this->finder = makeSilhouetteFinder(SilhouetteMethod::Auto, 0.0, makeSmpParallelFor());
+  }
+  kept.found = true;
+  kept.eyeMC = surface.eyeMC;
+  kept.settings = settings;
+  this->finder->face(geometry, kept.eyeMC, kept.facing);
+  kept.mesh->completeFacing(kept.facing);
+  kept.mesh->findLines(geometry, kept.facing, {settings.silhouette, settings.border, &kept.creases},
+                       kept.lines);
+  if (!kept.drawable.upload(kept.lines))
+  {
+    this->errors.push_back(surface.name + " has no outline: it has more lines than the GL can look up");
+  }
+}
+
+bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideView, const Settings& settings,
+                              std::string& error)
+{
+  vtkOpenGLState* state = window->GetState();
+  vtkShaderProgram* program =
+      ShadowPrograms(window).use(settings.technique == LineTechnique::Faces ? ShadowPrograms::OutlineFaces
+                                                                            : ShadowPrograms::OutlineEdges,
+                                 false);
+  if (program == nullptr)
+  {
+    error = noShader;
+    return false;
+  }
+  this->target.beginLines(state, program);
+  const bool reversed = this->depthRange.reversed;
+  const float screenSize[2] = {static_cast<float>(wideView.width), static_cast<float>(wideView.height)};
+  const float depthFromClip[2] = {reversed ? 1.0f : 0.5f, reversed ? 0.0f : 0.5f};
+  const double reach = 0.5 * settings.lineWidth + softness;
+  const double outside = 1.0 + 2.0 * (reach + 2.0) / std::min(wideView.width, wideView.height);
+  program->SetUniform2f("screenSize", screenSize);
+  program->SetUniform2f("depthFromClip", depthFromClip);
+  program->SetUniformf("nearSign", reversed ? 1.0f : -1.0f);
+  program->SetUniformf("outside", static_cast<float>(outside));
+  program->SetUniformf("lineReach", static_cast<float>(reach));
+  program->SetUniformf("halfWidth", static_cast<float>(0.5 * settings.lineWidth));
+  const glm::dmat4 clipFromWC = shadowClipFromWC(wideView, this->depthRange);
+  for (const Surface& surface : this->surfaces)
+  {
+    if (surface.lines != nullptr)
+    {
+      setUniform(program, "clipFromMC", clipFromWC * surface.wcFromMC);
+      if (!this->drawLinesOf(surface, state, program, settings))
+      {
+        this->errors.push_back(surface.name + " has no outline: the GL cannot look up a mesh of its size");
+      }
+    }
+  }
+  this->target.endLines(state);
+  return true;
+}
+
+bool OutlineEffect::drawLinesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program,
+                                const Settings& settings)
+{
+  SEDGeometryDrawable& drawable = this->drawables.getGeometry(surface.geometry);
+  if (settings.technique == LineTechnique::Rectangles)
+  {
+    const LineDrawable& lines = surface.lines->drawable;
+    this->statistics.lineEdges += lines.countLines();
+    this->statistics.lineTriangles += 2 * lines.countLines();
+    return lines.draw(state, program, drawable);
+  }
+  setUniform(program, "eyeMC", surface.eyeMC);
+  program->SetUniformi("drawsSilhouette", settings.silhouette ? 1 : 0);
+  program->SetUniformi("drawsBorder", settings.border ? 1 : 0);
+  const double degree = 3.14159265358979323846 / 180.0;
+  program->SetUniformf(
+      "creaseCosine", settings.crease ? static_cast<float>(std::cos(degree * settings.featureAngle)) : -2.0f);
+  this->statistics.lineTriangles += surface.lines->mesh->countFaces();
+  return drawable.drawFaces(state, program, *surface.lines->mesh);
+}
+
+} // namespace shadow

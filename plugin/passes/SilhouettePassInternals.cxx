@@ -1,0 +1,73 @@
+#include "SilhouettePassInternals.h"
+
+#include <iterator>
+
+#include "Stopwatch.h"
+
+//------------------------------------------------------------------------------
+vtkSilhouettePass::vtkInternals::RendererState&
+vtkSilhouettePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+{
+  this->Current = nullptr;
+  for (auto entry = this->Renderers.begin(); entry != this->Renderers.end();)
+  {
+    entry = entry->second->Context.getRenderer() == nullptr ? this->Renderers.erase(entry) : std::next(entry);
+  }
+  std::unique_ptr<RendererState>& state = this->Renderers[renderer];
+  if (state == nullptr || state->Context.getWindow() != window)
+  {
+    state = std::make_unique<RendererState>(renderer, window);
+  }
+  state->Context.acquire([&state] { state->Effect.release(true); });
+  this->Current = state.get();
+  return *state;
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpenGLRenderer* renderer,
+                                                vtkOpenGLRenderWindow* window)
+{
+  RendererState& state = this->GetState(renderer, window);
+  this->Status = STATUS_OK;
+  this->Message.clear();
+
+  const shadow::Stopwatch stage;
+  shadow::SceneBuilder::Settings sceneSettings;
+  sceneSettings.weldTolerance = self->WeldTolerance;
+  sceneSettings.weldsRounding = true; // a seam that nobody sees must not show as a border
+  sceneSettings.isCasting = [this](vtkProp* prop) { return !this->NotOutlined.has(prop); };
+  sceneSettings.product = "outline";
+  state.Builder.update(renderer, sceneSettings, state.Effect);
+  this->Skipped = state.Builder.getSkipped();
+  this->SceneMilliseconds = stage.getMilliseconds();
+
+  shadow::OutlineEffect::Settings settings;
+  settings.technique = static_cast<shadow::LineTechnique>(self->Technique);
+  settings.depthScale = self->DepthScale;
+  settings.lineWidth = self->LineWidth;
+  settings.silhouette = self->SilhouetteEdges;
+  settings.border = self->BorderEdges;
+  settings.crease = self->CreaseEdges;
+  settings.featureAngle = self->FeatureAngle;
+  settings.waitAfterStages = self->MeasureStages;
+  shadow::OutlineEffect::Look look;
+  look.color = {self->Color[0], self->Color[1], self->Color[2]};
+  look.hiddenColor = {self->HiddenColor[0], self->HiddenColor[1], self->HiddenColor[2],
+                      self->HiddenEdges ? self->HiddenOpacity : 0.0};
+  look.smooth = self->Smooth;
+  std::string error;
+  if (!state.Effect.renderLines(window, shadow::currentView(renderer, window), settings, error) ||
+      !state.Effect.blend(window, look, self->MeasureStages, error))
+  {
+    this->Status = STATUS_NOT_SUPPORTED;
+    this->Message = error;
+    return;
+  }
+  std::set<std::string> errors(state.Builder.getErrors().begin(), state.Builder.getErrors().end());
+  errors.insert(state.Effect.getErrors().begin(), state.Effect.getErrors().end());
+  for (const std::string& line : errors)
+  {
+    this->Status = STATUS_PARTIAL;
+    this->Message += (this->Message.empty() ? "" : "\n") + line;
+  }
+}

@@ -1,0 +1,61 @@
+#ifndef SilhouettePassInternals_h
+#define SilhouettePassInternals_h
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include <vtkRenderPass.h>
+#include <vtkSmartPointer.h>
+
+#include "OutlineEffect.h"
+#include "PassContext.h"
+#include "SceneBuilder.h"
+#include "vtkSilhouettePass.h"
+
+/// What vtkSilhouettePass keeps out of its header.
+class vtkSilhouettePass::vtkInternals
+{
+public:
+  /// Everything that belongs to one renderer: a pass may serve several.
+  struct RendererState
+  {
+    shadow::PassContext Context;
+    shadow::SceneBuilder Builder;
+    shadow::OutlineEffect Effect;
+
+    RendererState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window) : Context(renderer, window) {}
+    ~RendererState() { this->Release(); }
+    void Release()
+    {
+      this->Context.release([this](bool contextLost) { this->Effect.release(contextLost); });
+    }
+  };
+
+  /// @post its context is current
+  RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
+
+  /// Mirrors the scene and draws its lines over what is there.
+  void DrawLines(vtkSilhouettePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
+
+  const shadow::OutlineEffect::Statistics& GetStatistics() const
+  {
+    static const shadow::OutlineEffect::Statistics none;
+    return this->Current != nullptr ? this->Current->Effect.getStatistics() : none;
+  }
+
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  shadow::ScenePasses Passes;
+  shadow::PropExclusions NotOutlined;
+  bool InsideCameraPass = false;
+  std::map<vtkOpenGLRenderer*, std::unique_ptr<RendererState>> Renderers;
+  RendererState* Current = nullptr; ///< of the last rendering
+  int Status = STATUS_NOT_RENDERED;
+  std::string Message;
+  std::string ReportedMessage;
+  std::set<shadow::CasterCuller::Skipped> Skipped;
+  double SceneMilliseconds = 0.0;
+};
+
+#endif

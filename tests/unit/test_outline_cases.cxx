@@ -1,0 +1,188 @@
+// Outlines where it is hard, held against the truth.
+
+#include <gtest/gtest.h>
+
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkPlaneSource.h>
+#include <vtkPoints.h>
+#include <vtkSphereSource.h>
+
+#include "BallScene.h"
+#include "OutlineScene.h"
+#include "TestMeshes.h"
+
+using namespace shadow::test;
+using shadow::truth::compareOutline;
+using shadow::truth::OutlineError;
+using shadow::truth::OutlineOptions;
+using shadow::truth::OutlineScene;
+using shadow::truth::OutlineTruth;
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> toPolyData(const shadow::TriangleSoup& soup)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const glm::dvec3& point : soup.points)
+  {
+    points->InsertNextPoint(point.x, point.y, point.z);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& corners : soup.triangles)
+  {
+    triangles->InsertNextCell({corners[0], corners[1], corners[2]});
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
+}
+
+/// Both techniques, at widths from 1 to 32: no spikes, and nearly everything right.
+void expectRight(OutlineScene& scene, double leastRight = 0.99)
+{
+  scene.window->Render();
+  OutlineOptions options;
+  options.widest = 32.0;
+  const OutlineTruth truth = scene.makeOutline(options);
+  for (int technique = 0; technique < 2; ++technique)
+  {
+    scene.outlines->SetTechnique(technique);
+    for (const double width : {1.0, 3.0, 32.0})
+    {
+      const OutlineError error = compareOutline(truth, scene.renderLines(width), width);
+      EXPECT_EQ(scene.outlines->GetStatus(), vtkSilhouettePass::STATUS_OK);
+      EXPECT_GE(error.completeness(), leastRight) << "technique " << technique << ", width " << width;
+      EXPECT_GE(error.correctness(), leastRight) << "technique " << technique << ", width " << width;
+      EXPECT_EQ(error.spikes, 0u) << "technique " << technique << ", width " << width;
+      EXPECT_GT(error.drawn, 50u) << "technique " << technique << ", width " << width;
+    }
+  }
+}
+
+void setCamera(OutlineScene& scene, const glm::dvec3& position, const glm::dvec3& focus, double nearest = 0.0)
+{
+  vtkCamera* camera = scene.renderer->GetActiveCamera();
+  camera->SetPosition(position.x, position.y, position.z);
+  camera->SetFocalPoint(focus.x, focus.y, focus.z);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  scene.renderer->ResetCameraClippingRange();
+  if (nearest > 0.0)
+  {
+    camera->SetClippingRange(nearest, 100.0);
+  }
+}
+
+} // namespace
+
+TEST(OutlineCase, PlaneSeenEdgeOn_OneLineAcross)
+{
+  OutlineScene scene(200, 150);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-1.0, 0.0, -1.0);
+  plane->SetPoint1(1.0, 0.0, -1.0);
+  plane->SetPoint2(-1.0, 0.0, 1.0);
+  scene.addSource(plane);
+  setCamera(scene, {0.0, 0.0, 6.0}, {0.0, 0.0, 0.0});
+  for (int technique = 0; technique < 2; ++technique)
+  {
+    scene.outlines->SetTechnique(technique);
+    const Pixels lines = scene.renderLines(2.0);
+    for (std::size_t x = 70; x < 130; ++x)
+    {
+      EXPECT_EQ(lines[200 * 74 + x], 255) << x;
+      EXPECT_EQ(lines[200 * 75 + x], 255) << x;
+      EXPECT_EQ(lines[200 * 72 + x], 0) << x;
+      EXPECT_EQ(lines[200 * 77 + x], 0) << x;
+    }
+  }
+}
+
+TEST(OutlineCase, CameraInsideAMesh)
+{
+  OutlineScene scene(200, 150);
+  scene.addPolyData(toPolyData(makeSphere(10.0, 24, 13)));
+  scene.addPolyData(toPolyData(makeTorus(1.0, 0.4, 24, 12)));
+  scene.addPolyData(toPolyData(makeCube({2.0, 0.5, -1.0}, 1.0)));
+  setCamera(scene, {1.0, 1.5, 6.0}, {0.5, 0.0, 0.0});
+  expectRight(scene);
+}
+
+TEST(OutlineCase, NearPlaneThroughTheMesh)
+{
+  OutlineScene scene(200, 150);
+  scene.addPolyData(toPolyData(makeCube({0.0, 0.0, 0.0}, 2.0)));
+  scene.addPolyData(toPolyData(makeTorus(2.5, 0.3, 24, 12)));
+  setCamera(scene, {0.4, 0.6, 3.0}, {0.0, 0.0, 0.0}, 2.2);
+  scene.renderer->GetActiveCamera()->SetViewAngle(80.0);
+  expectRight(scene);
+}
+
+TEST(OutlineCase, EyeBetweenTriangles_EdgesBehindIt)
+{
+  // Long triangles that pass the eye on all sides.
+  OutlineScene scene(200, 150);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-50.0, -1.0, 50.0);
+  plane->SetPoint1(50.0, -1.0, 50.0);
+  plane->SetPoint2(-50.0, -1.0, -10.0);
+  scene.addSource(plane);
+  plane->Update();
+  scene.addPolyData(toPolyData(makeCube({0.5, 0.0, -3.0}, 1.5)));
+  setCamera(scene, {0.0, 0.0, 0.0}, {0.0, -0.2, -1.0}, 0.01);
+  expectRight(scene);
+}
+
+TEST(OutlineCase, TinyTriangles)
+{
+  OutlineScene scene(200, 150);
+  scene.addPolyData(toPolyData(makeSphere(1.0, 300, 151)));
+  setCamera(scene, {1.0, 2.0, 12.0}, {0.0, 0.0, 0.0});
+  expectRight(scene);
+}
+
+TEST(OutlineCase, Needles)
+{
+  OutlineScene scene(200, 150);
+  shadow::TriangleSoup needles = makeSphere(1.0, 64, 13);
+  for (glm::dvec3& point : needles.points)
+  {
+    point.x *= 0.01;
+  }
+  scene.addPolyData(toPolyData(needles));
+  setCamera(scene, {1.0, 0.5, 4.0}, {0.0, 0.0, 0.0});
+  expectRight(scene, 0.97);
+}
+
+TEST(OutlineCase, NonManifoldEdges)
+{
+  OutlineScene scene(200, 150);
+  scene.addPolyData(toPolyData(makeBook(5)));
+  scene.addPolyData(toPolyData(makeCubesSharingAnEdge()));
+  scene.lookFrom(0.4, 0.5, 1.0);
+  expectRight(scene);
+}
+
+TEST(OutlineCase, Moebius)
+{
+  OutlineScene scene(200, 150);
+  scene.addPolyData(toPolyData(makeMoebius(32)));
+  scene.lookFrom(0.4, 0.9, 1.0);
+  expectRight(scene);
+}
+
+TEST(OutlineCase, ScaledAndMirroredActors)
+{
+  OutlineScene scene(200, 150);
+  vtkActor* torus = scene.addPolyData(toPolyData(makeTorus(1.0, 0.4, 24, 12)));
+  torus->SetScale(-1.0, 0.5, 1.0);
+  vtkActor* cube = scene.addPolyData(toPolyData(makeCube({0.0, 0.0, 0.0}, 1e-3)));
+  cube->SetScale(1000.0, 2000.0, 500.0);
+  cube->SetPosition(1.5, 0.0, 0.5);
+  cube->RotateZ(30.0);
+  scene.lookFrom(0.3, 0.5, 1.0);
+  expectRight(scene);
+}

@@ -1,0 +1,120 @@
+// Outlines leave picking and the GL as they found them.
+
+#include <gtest/gtest.h>
+
+#include <vtkCameraPass.h>
+#include <vtkHardwareSelector.h>
+#include <vtkLightsPass.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkRenderState.h>
+#include <vtkSelection.h>
+#include <vtkSequencePass.h>
+
+#include "GLInspection.h"
+#include "OpenGL.h"
+#include "OutlineBall.h"
+
+using namespace shadow::test;
+
+namespace
+{
+
+/// Notes the GL's state when it is its turn.
+class OutlineStateReader : public vtkRenderPass
+{
+public:
+  static OutlineStateReader* New();
+  vtkTypeMacro(OutlineStateReader, vtkRenderPass);
+  void Render(const vtkRenderState*) override
+  {
+    this->error = glGetError();
+    this->state = readGLState();
+  }
+
+  GLStateValues state;
+  GLenum error = GL_NO_ERROR;
+};
+vtkStandardNewMacro(OutlineStateReader);
+
+} // namespace
+
+TEST(OutlinePass, HardwareSelector_SameHitsWithAndWithoutPass)
+{
+  const auto pick = [](BallScene& scene)
+  {
+    scene.window->Render();
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.renderer);
+    selector->SetArea(0, 0, 199, 149);
+    const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    return selection != nullptr ? selection->GetNumberOfNodes() : 0u;
+  };
+  OutlineBall scene;
+  scene.outlines->SetLineWidth(16.0);
+  const unsigned int with = pick(scene);
+  const Pixels before = scene.renderLines();
+  scene.renderer->SetPass(nullptr);
+  EXPECT_EQ(pick(scene), with);
+  EXPECT_EQ(with, 2u);
+  scene.renderer->SetPass(scene.outlines);
+  EXPECT_EQ(scene.renderLines(), before);
+}
+
+TEST(OutlinePass, GLState_AsFoundAfterEveryRendering)
+{
+  for (const int technique : {vtkSilhouettePass::TECHNIQUE_RECTANGLES, vtkSilhouettePass::TECHNIQUE_FACES})
+  {
+    OutlineBall scene;
+    scene.outlines->LinesOnlyOn();
+    scene.outlines->SetTechnique(technique);
+    vtkNew<OutlineStateReader> before;
+    vtkNew<OutlineStateReader> after;
+    vtkNew<vtkLightsPass> lights;
+    vtkNew<vtkRenderPassCollection> passes;
+    passes->AddItem(lights);
+    passes->AddItem(before);
+    passes->AddItem(scene.outlines);
+    passes->AddItem(after);
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(passes);
+    vtkNew<vtkCameraPass> cameraPass;
+    cameraPass->SetDelegatePass(sequence);
+    scene.renderer->SetPass(cameraPass);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      scene.window->Render();
+      ASSERT_GT(before->state.size(), 50u);
+      for (const auto& [name, value] : before->state)
+      {
+        EXPECT_EQ(after->state[name], value) << name << ", technique " << technique << ", frame " << frame;
+      }
+      EXPECT_EQ(after->error, static_cast<GLenum>(GL_NO_ERROR));
+    }
+  }
+}
+
+TEST(OutlinePass, SwitchedOnAndOff_LeaksNothing)
+{
+  OutlineBall scene;
+  scene.outlines->SetTechniqueToFaces();
+  scene.renderLines();
+  scene.outlines->SetTechniqueToRectangles();
+  scene.renderLines();
+  scene.renderer->SetPass(nullptr);
+  scene.outlines->ReleaseGraphicsResources(scene.window);
+  scene.window->Render();
+  const auto first = countGLObjects(scene.window);
+  for (int i = 0; i < 5; ++i)
+  {
+    scene.renderer->SetPass(scene.outlines);
+    scene.outlines->SetLineWidth(1.0 + i);
+    scene.outlines->SetTechnique(i % 2);
+    EXPECT_GT(countValue(scene.renderLines(), 255), 200u);
+    EXPECT_GT(scene.outlines->GetMemorySize(), 100000);
+    scene.renderer->SetPass(nullptr);
+    scene.outlines->ReleaseGraphicsResources(scene.window);
+    scene.window->Render();
+    EXPECT_EQ(countGLObjects(scene.window), first) << i;
+  }
+}
