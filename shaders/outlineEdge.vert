@@ -20,13 +20,13 @@ void main()
   int code = int(texelFetch(lines, line).x);
   int face = code / 8;
   int edge = code / 2 % 4;
-  vec4 from = toClip(cornerOf(face, edge));
-  vec4 to = toClip(cornerOf(face, edge == 2 ? 0 : edge + 1));
+  vec4 from;
+  vec4 to;
   endsDC = vec4(0.0);
   endsDepth = vec2(0.0);
   outwards = vec2(0.0);
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
-  if (!clipEdge(from, to))
+  if (!clipEdge(cornerOf(face, edge), cornerOf(face, edge == 2 ? 0 : edge + 1), from, to))
   {
     return;
   }
