@@ -20,13 +20,13 @@ void main()
   int code = int(texelFetch(lines, line).x);
   int face = code / 8;
   int edge = code / 2 % 4;
-  vec4 from = toClip(cornerOf(face, edge));
-  vec4 to = toClip(cornerOf(face, edge == 2 ? 0 : edge + 1));
+  vec4 from;
+  vec4 to;
   endsDC = vec4(0.0);
   endsDepth = vec2(0.0);
   outwards = vec2(0.0);
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
-  if (!clipEdge(from, to))
+  if (!clipEdge(cornerOf(face, edge), cornerOf(face, edge == 2 ? 0 : edge + 1), from, to))
   {
     return;
   }
@@ -45,8 +45,8 @@ void main()
     float side = determinant(mat3(from.xyw, to.xyw, third.xyw));
     outwards = sign(side) * vec2(along.y, -along.x);
   }
-  // One pixel more, since only pixels whose centre is covered are drawn.
-  float margin = lineReach + 1.0;
+  // Pixels are drawn whose centre is covered; vertices are snapped to 1/256 of a pixel.
+  float margin = lineReach + 0.02;
   vec2 across = margin * vec2(-along.y, along.x);
   bool atTo = vertex == 1 || vertex == 2 || vertex == 4;
   bool left = vertex == 2 || vertex == 4 || vertex == 5;

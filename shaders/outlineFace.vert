@@ -115,12 +115,12 @@ void main()
   {
     vec3 other = unpackNormal(texelFetch(normalTexels, 3 * face + edge).x);
     int kind = kindOf(own, other, eyeMC.xyz - eyeMC.w * cornersMC[edge]);
-    vec4 from = cornersCC[edge];
-    vec4 to = cornersCC[(edge + 1) % 3];
+    vec4 from;
+    vec4 to;
     endsDC[edge] = vec4(0.0);
     endsDepth[edge] = vec2(0.0);
     outwards[edge] = vec2(0.0);
-    if (kind != 0 && clipEdge(from, to))
+    if (kind != 0 && clipEdge(cornersMC[edge], cornersMC[(edge + 1) % 3], from, to))
     {
       edges |= 1 << edge;
       ++lineCount;

@@ -1,6 +1,6 @@
 // outlineVisibility.glsl - chunk: is a point of an edge in front of what pass 1 has drawn?
 // unif depths    sampler2D  pass 1
-// unif slopes    sampler2D  pass 1, see outlineDepth.frag
+// unif slopes    sampler2D  pass 1, see outlineDepth.frag; left as it was where nothing is drawn
 // unif depthScale  float    pixels of pass 1 for one of the screen, in each direction
 // unif nearSign  float      1: depth rises towards the eye, -1: it falls
 uniform float depthScale;
@@ -17,7 +17,11 @@ const float snapError = 0.008;
 bool isBehind(ivec2 pixel, vec3 point)
 {
   float depth = texelFetch(depths, pixel, 0).x;
-  vec2 slope = texelFetch(slopes, pixel, 0).xy;
+  if (depth == (nearSign > 0.0 ? 0.0 : 1.0))
+  {
+    return false;
+  }
+  vec2 slope = depth * texelFetch(slopes, pixel, 0).xy;
   float there = depth + dot(slope, point.xy - (vec2(pixel) + 0.5));
   float tolerance = depthError * abs(point.z) + snapError * (abs(slope.x) + abs(slope.y));
   return nearSign * (there - point.z) > tolerance;

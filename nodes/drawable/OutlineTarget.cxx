@@ -69,7 +69,7 @@ bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight,
   GLint before = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
   this->depthTexture = this->makeTexture(newDepthScale, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
-  this->slopeTexture = this->makeTexture(newDepthScale, GL_RG32F, GL_RG, GL_FLOAT);
+  this->slopeTexture = this->makeTexture(newDepthScale, GL_RG16F, GL_RG, GL_FLOAT);
   this->lineTexture = this->makeTexture(1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
   glGenVertexArrays(1, &this->emptyVertexArray);
@@ -98,8 +98,6 @@ void OutlineTarget::setUp(vtkOpenGLState* state, unsigned int framebuffer, int s
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_CLAMP);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  const float nothing[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-  glClearBufferfv(GL_COLOR, 0, nothing);
 }
 
 void OutlineTarget::beginDepth(vtkOpenGLState* state, bool reversedDepth)
@@ -116,6 +114,8 @@ void OutlineTarget::beginDepth(vtkOpenGLState* state, bool reversedDepth)
 void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program)
 {
   this->setUp(state, this->lineFramebuffer, 1);
+  const float nothing[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glClearBufferfv(GL_COLOR, 0, nothing);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_MAX);
@@ -189,9 +189,9 @@ void OutlineTarget::release(bool contextLost)
 
 std::size_t OutlineTarget::getMemorySize() const
 {
-  // 4 bytes lines; 4 bytes depth and 8 bytes slope
+  // 4 bytes lines; 4 bytes depth and 4 bytes slope
   const std::size_t pixels = static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height);
-  return (4 + 12 * static_cast<std::size_t>(this->depthScale * this->depthScale)) * pixels;
+  return (4 + 8 * static_cast<std::size_t>(this->depthScale * this->depthScale)) * pixels;
 }
 
 } // namespace shadow

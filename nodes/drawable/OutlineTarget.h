@@ -25,7 +25,7 @@ public:
   /// @return false with a line in @p error when the GL refuses
   bool allocate(vtkOpenGLState* state, int width, int height, int depthScale, std::string& error);
 
-  /// Binds and clears depth and slope, and sets GL up to draw surfaces there.
+  /// Binds depth and slope, clears the depth, and sets GL up to draw surfaces there.
   void beginDepth(vtkOpenGLState* state, bool reversedDepth);
 
   /// Binds and clears the lines, and sets GL up to draw lines there: no depth test, the maximum of what

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/matrix_access.hpp>
+
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
@@ -93,11 +95,13 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
   program->SetUniformf("lineReach", static_cast<float>(reach));
   program->SetUniformf("halfWidth", static_cast<float>(0.5 * settings.lineWidth));
   const glm::dmat4 clipFromWC = shadowClipFromWC(wideView, this->depthRange);
+  const glm::dvec4 farWC = glm::row(wideView.clipFromWC, 3) - glm::row(wideView.clipFromWC, 2);
   for (const Surface& surface : this->surfaces)
   {
     if (surface.lines != nullptr)
     {
       setUniform(program, "clipFromMC", clipFromWC * surface.wcFromMC);
+      setUniform(program, "farFromMC", farWC * surface.wcFromMC);
       if (!this->drawLinesOf(surface, state, program, settings))
       {
         this->errors.push_back(surface.name + " has no outline: the GL cannot look up a mesh of its size");

@@ -88,24 +88,32 @@ private:
   std::vector<glm::vec3>& positions;
 };
 
-/// Hash of cubic cells, as wide as the tolerance, each a chain of vertices. Two cells may share a chain: what
-/// counts is the distance.
+/// Hash of cubic cells, each a chain of vertices. Two cells may share a chain: what counts is the distance.
+/// Cells are so much wider than the tolerance that most points have all others within it in one to four.
 class CellTable
 {
 public:
-  CellTable(std::size_t entries, double cellSize, std::vector<glm::vec3>& welded)
-      : heads(tableSize(entries), emptySlot), tolerance(cellSize), positions(welded)
+  CellTable(std::size_t entries, double theTolerance, std::vector<glm::vec3>& welded)
+      : heads(tableSize(entries), emptySlot), tolerance(theTolerance), positions(welded)
   {
   }
 
   std::uint32_t findOrAdd(const glm::vec3& position)
   {
-    const glm::dvec3 cell = glm::floor(glm::dvec3(position) / this->tolerance);
+    const glm::dvec3 cell = this->cellOf(glm::dvec3(position));
+    const double reach = 1.0001 * this->tolerance;
+    const glm::dvec3 low = this->cellOf(glm::dvec3(position) - reach);
+    const glm::dvec3 high = this->cellOf(glm::dvec3(position) + reach);
     std::uint32_t found = emptySlot;
-    for (int neighbour = 0; neighbour < 27; ++neighbour)
+    for (double x = low.x; x <= high.x; ++x)
     {
-      const glm::dvec3 step(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
-      found = std::min(found, this->findEarliest(cell + step, position));
+      for (double y = low.y; y <= high.y; ++y)
+      {
+        for (double z = low.z; z <= high.z; ++z)
+        {
+          found = std::min(found, this->findEarliest({x, y, z}, position));
+        }
+      }
     }
     if (found == emptySlot)
     {
@@ -119,6 +127,13 @@ public:
   }
 
 private:
+  static constexpr double cellWidth = 4.0; ///< tolerances
+
+  glm::dvec3 cellOf(const glm::dvec3& position) const
+  {
+    return glm::floor(position / (cellWidth * this->tolerance));
+  }
+
   std::size_t slotOf(const glm::dvec3& cell) const { return hashCell(cell + 0.0) & (this->heads.size() - 1); }
 
   std::uint32_t findEarliest(const glm::dvec3& cell, const glm::vec3& position) const

@@ -1,6 +1,8 @@
 #include "SceneBuilder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -38,6 +40,15 @@ bool letsThrough(vtkActor* actor)
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   return actor->GetForceOpaque() || shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
          shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+/// Two roundings of single precision, for a coordinate as large as the mesh: what sin(2 pi) misses 0 by,
+/// times its radius, is less.
+double chooseWeldTolerance(vtkPolyData* polyData, const SceneBuilder::Settings& settings)
+{
+  constexpr double rounding = 2.0 * std::numeric_limits<float>::epsilon();
+  const double size = settings.weldsRounding ? polyData->GetLength() : 0.0;
+  return std::max(settings.weldTolerance, std::isfinite(size) ? rounding * size : 0.0);
 }
 
 } // namespace
@@ -159,18 +170,19 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
   // GetMTime() covers points and cells as well as a call of Modified() on the data set after a change in
   // place.
   const vtkMTimeType time = polyData->GetMTime();
-  if (mesh.polyData != polyData || mesh.time != time || mesh.weldTolerance != settings.weldTolerance)
+  const double weldTolerance = chooseWeldTolerance(polyData, settings);
+  if (mesh.polyData != polyData || mesh.time != time || mesh.weldTolerance != weldTolerance)
   {
     mesh.polyData = polyData;
     mesh.time = time;
-    mesh.weldTolerance = settings.weldTolerance;
+    mesh.weldTolerance = weldTolerance;
     const std::shared_ptr<SEDGeode> previous = std::move(mesh.geode);
     mesh.geode.reset();
     mesh.error.clear();
     TriangleSoup soup = importTriangles(polyData);
     if (!soup.triangles.empty())
     {
-      const SEDGeometryOptions options{settings.weldTolerance,
+      const SEDGeometryOptions options{weldTolerance,
                                        previous != nullptr ? &previous->getGeometry() : nullptr};
       std::optional<SEDGeometry> geometry = buildSEDGeometry(std::move(soup), options, mesh.error);
       if (geometry)

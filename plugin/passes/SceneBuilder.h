@@ -32,6 +32,8 @@ public:
   struct Settings
   {
     double weldTolerance = 0.0;
+    bool weldsRounding = false; ///< points that single precision hardly tells apart at the size of their mesh
+                                ///< count as one, too
     std::function<bool(vtkProp*)>
         isCasting;                  ///< asked for every prop on the way to an actor; see Node::casting
     std::string product = "shadow"; ///< what a prop that cannot be used has none of, for messages

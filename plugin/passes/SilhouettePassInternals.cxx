@@ -34,6 +34,7 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
   const shadow::Stopwatch stage;
   shadow::SceneBuilder::Settings sceneSettings;
   sceneSettings.weldTolerance = self->WeldTolerance;
+  sceneSettings.weldsRounding = true; // a seam that nobody sees must not show as a border
   sceneSettings.isCasting = [this](vtkProp* prop) { return !this->NotOutlined.has(prop); };
   sceneSettings.product = "outline";
   state.Builder.update(renderer, sceneSettings, state.Effect);

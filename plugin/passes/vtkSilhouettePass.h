@@ -21,9 +21,9 @@
  * that are lines are found from an exact facing, decided once a triangle;
  * 3. pass 1: depth of all opaque triangles, and its slope, into a target of our own, which is wider than the
  * view by half a line on each side;
- * 4. pass 2: the triangles that own a line, enlarged on the screen until they cover it; the fragment stage
- * keeps a capsule around each edge whose nearest point is not behind the depth of pass 1, and the nearest
- * edge wins;
+ * 4. pass 2: a rectangle around each line, or, by TECHNIQUE_FACES, the triangles that own one, enlarged on
+ * the screen until they cover it; the fragment stage keeps a capsule around each edge, of what is not behind
+ * the depth of pass 1, and the nearest edge wins;
  * 5. the lines are blended over the scene.
  *
  * @par Source
@@ -160,8 +160,8 @@ public:
 
   ///@{
   /**
-   * Points of a mesh that are closer than this (in its model units) count as one. Default 0: points with
-   * equal coordinates.
+   * Points of a mesh that are closer than this (in its model units) count as one, and so do, in any case,
+   * points closer than a four-millionth of the mesh's size, which differ by rounding. Default: 0.
    */
   vtkSetClampMacro(WeldTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(WeldTolerance, double);

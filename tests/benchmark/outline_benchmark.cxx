@@ -11,23 +11,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include <vtkAppendPolyData.h>
 #include <vtkCamera.h>
-#include <vtkCleanPolyData.h>
-#include <vtkOBJReader.h>
-#include <vtkParametricFunctionSource.h>
-#include <vtkParametricTorus.h>
+#include <vtkPolyData.h>
 #include <vtkSilhouettePass.h>
-#include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
-#include <vtkTriangleFilter.h>
 
 #include "OutlineDrawers.h"
 #include "OutlineError.h"
+#include "OutlineMeshes.h"
 #include "OutlineTruth.h"
 #include "RefinedMesh.h"
 #include "SceneFromRenderer.h"
@@ -48,61 +42,6 @@ struct Effort
   int height = 480;
 };
 
-using Mesh = vtkSmartPointer<vtkPolyData>;
-
-/// Triangles that share points, as every way of drawing outlines needs them.
-Mesh clean(vtkAlgorithm* source)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkCleanPolyData> merged;
-  merged->SetInputConnection(triangles->GetOutputPort());
-  merged->Update();
-  Mesh mesh = Mesh::New();
-  mesh->SetPoints(merged->GetOutput()->GetPoints());
-  mesh->SetPolys(merged->GetOutput()->GetPolys());
-  return mesh;
-}
-
-/// Twelve rings beside and behind one another, 30,000 triangles.
-Mesh makeRings()
-{
-  vtkNew<vtkParametricTorus> shape;
-  shape->SetRingRadius(0.7);
-  shape->SetCrossSectionRadius(0.28);
-  vtkNew<vtkParametricFunctionSource> ring;
-  ring->SetParametricFunction(shape);
-  ring->SetUResolution(51);
-  ring->SetVResolution(26);
-  vtkNew<vtkAppendPolyData> rings;
-  for (int i = 0; i < 12; ++i)
-  {
-    vtkNew<vtkTransform> place;
-    place->Translate(1.7 * (i % 4), 1.5 * (i / 4 % 3), 0.6 * (i % 3));
-    place->RotateY(40.0 * i);
-    place->RotateX(25.0 * i);
-    vtkNew<vtkTransformPolyDataFilter> placed;
-    placed->SetTransform(place);
-    placed->SetInputConnection(ring->GetOutputPort());
-    rings->AddInputConnection(placed->GetOutputPort());
-  }
-  return clean(rings);
-}
-
-/// Nothing when the file is not there.
-Mesh readModel(const std::string& name)
-{
-  const std::string file = std::string(MODEL_FOLDER) + "/" + name + ".obj";
-  if (!std::filesystem::exists(file))
-  {
-    std::printf("%s is not there: left out\n", file.c_str());
-    return nullptr;
-  }
-  vtkNew<vtkOBJReader> reader;
-  reader->SetFileName(file.c_str());
-  return clean(reader);
-}
-
 void lookAt(OutlineDrawer& drawer)
 {
   vtkCamera* camera = drawer.getRenderer()->GetActiveCamera();
@@ -121,16 +60,31 @@ OutlineTruth makeTruth(OutlineDrawer& drawer)
                       shadow::truth::viewFromRenderer(drawer.getRenderer()));
 }
 
-/// What the stages of the pass take with one width of line.
+/// What the stages of the pass take in one setting.
 struct StageTimes
 {
   double width = 0.0;
+  int depthScale = 0; ///< see vtkSilhouettePass::SetDepthScale()
   std::vector<double> first, edges, lines, blend, frame;
 
   double getSecond() const { return median(this->edges) + median(this->lines) + median(this->blend); }
 };
 
-/// Stages with each width and the plain frame, in turns.
+/// Every width with pass 1 as fine as the view, as the paper's is, and as fine as the pass has it by default.
+std::vector<StageTimes> makeSettings(const std::vector<double>& widths)
+{
+  std::vector<StageTimes> settings;
+  for (const int depthScale : {1, 0})
+  {
+    for (const double width : widths)
+    {
+      settings.push_back({width, depthScale, {}, {}, {}, {}, {}});
+    }
+  }
+  return settings;
+}
+
+/// Stages in each setting and the plain frame, in turns.
 void measureStages(const Mesh& mesh, const Effort& effort, std::vector<StageTimes>& times, double& plainFrame)
 {
   const auto plain = makePlainDrawer(mesh, effort.width, effort.height);
@@ -149,6 +103,7 @@ void measureStages(const Mesh& mesh, const Effort& effort, std::vector<StageTime
     for (StageTimes& some : times)
     {
       outlined->setLineWidth(some.width);
+      pass->SetDepthScale(some.depthScale);
       pass->MeasureStagesOff();
       outlined->drawNext();
       for (int frame = 0; frame < effort.framesATurn; ++frame)
@@ -176,7 +131,7 @@ std::string describePaper(double width)
   char text[64] = "";
   if (ratio > 0.0)
   {
-    std::snprintf(text, sizeof text, "%4.1f   %4.2f", ratio, 0.5 * ratio);
+    std::snprintf(text, sizeof text, "%5.1f  %4.2f", ratio, 0.5 * ratio);
   }
   return text;
 }
@@ -184,25 +139,20 @@ std::string describePaper(double width)
 void compareStages(const std::string& what, const Mesh& mesh, const std::vector<double>& widths,
                    const Effort& effort)
 {
-  std::vector<StageTimes> times;
-  for (const double width : widths)
-  {
-    times.push_back({width, {}, {}, {}, {}, {}});
-  }
+  std::vector<StageTimes> times = makeSettings(widths);
   double plain = 0.0;
   measureStages(mesh, effort, times, plain);
   std::printf("\n%s, %lld triangles; plain VTK %.2f ms a frame\n", what.c_str(),
               static_cast<long long>(mesh->GetNumberOfPolys()), plain);
   std::printf(
-      "width  pass 1  pass 2  (edges  lines  blend)   pass 2 : 1  paper  aim    frame    (frame - plain) : "
-      "plain\n");
+      "pass 1        width  pass 1  pass 2  (edges  lines  blend)  pass 2 : 1  paper   aim    frame\n");
   for (const StageTimes& some : times)
   {
     const double first = median(some.first);
-    const double frame = median(some.frame);
-    std::printf("%4g  %6.2f  %6.2f  (%5.2f  %5.2f  %5.2f)   %10.2f  %-12s %6.2f ms  %.2f\n", some.width,
-                first, some.getSecond(), median(some.edges), median(some.lines), median(some.blend),
-                some.getSecond() / first, describePaper(some.width).c_str(), frame, (frame - plain) / plain);
+    std::printf("%-12s  %5g  %6.2f  %6.2f  (%5.2f  %5.2f  %5.2f)  %10.2f  %-11s  %7.2f\n",
+                some.depthScale == 1 ? "as the view" : "default", some.width, first, some.getSecond(),
+                median(some.edges), median(some.lines), median(some.blend), some.getSecond() / first,
+                describePaper(some.width).c_str(), median(some.frame));
   }
 }
 

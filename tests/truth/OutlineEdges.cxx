@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "TriangleTests.h"
 #include "TruthBvh.h"
@@ -15,6 +17,10 @@ namespace
 
 /// What a vertex may be off when its mesh is kept in single precision, relative to the mesh's coordinates.
 constexpr double floatRounding = 1.2e-7;
+
+/// How far corners may lie apart to count as one, relative to the size of their part: two roundings of single
+/// precision, which is what the ends of a closed curve may miss one another by.
+constexpr double placeRounding = 2.4e-7;
 
 /// Degrees within which an angle counts as the limit.
 constexpr double angleRounding = 1e-3;
@@ -32,29 +38,93 @@ bool isFinite(const Triangle& triangle)
   return std::isfinite(sum.x + sum.y + sum.z);
 }
 
-/// A number for each corner, the same for those of one part at one place.
-std::vector<std::uint32_t> numberCorners(const Scene& scene)
+/// Corners of one part that are closer than rounding of a mesh as large as the part count as one place.
+class PlaceTable
 {
-  const auto key = [&scene](std::uint32_t corner)
+public:
+  explicit PlaceTable(double size) : tolerance(placeRounding * size) {}
+
+  /// The number of a place within the tolerance that is known already; else of a new one.
+  std::uint32_t find(const glm::dvec3& point, std::uint32_t next)
   {
-    const Triangle& triangle = scene.triangles[corner / 3];
-    const glm::dvec3& p = corner % 3 == 0 ? triangle.a : corner % 3 == 1 ? triangle.b : triangle.c;
-    return std::make_tuple(triangle.part, p.x, p.y, p.z);
-  };
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t corner = 0; corner < 3 * scene.triangles.size(); ++corner)
+    for (double x = this->cellOf(point.x - this->tolerance); x <= this->cellOf(point.x + this->tolerance);
+         ++x)
+    {
+      for (double y = this->cellOf(point.y - this->tolerance); y <= this->cellOf(point.y + this->tolerance);
+           ++y)
+      {
+        for (double z = this->cellOf(point.z - this->tolerance); z <= this->cellOf(point.z + this->tolerance);
+             ++z)
+        {
+          const auto [first, last] = this->places.equal_range({x, y, z});
+          for (auto place = first; place != last; ++place)
+          {
+            if (glm::distance(place->second.first, point) <= this->tolerance)
+            {
+              return place->second.second;
+            }
+          }
+        }
+      }
+    }
+    this->places.insert(
+        {{this->cellOf(point.x), this->cellOf(point.y), this->cellOf(point.z)}, {point, next}});
+    return next;
+  }
+
+private:
+  double cellOf(double coordinate) const
+  {
+    return this->tolerance > 0.0 ? std::floor(coordinate / (4.0 * this->tolerance)) : coordinate;
+  }
+
+  double tolerance;
+  std::multimap<std::array<double, 3>, std::pair<glm::dvec3, std::uint32_t>> places;
+};
+
+const glm::dvec3& cornerOf(const Scene& scene, std::uint32_t corner)
+{
+  const Triangle& triangle = scene.triangles[corner / 3];
+  return corner % 3 == 0 ? triangle.a : corner % 3 == 1 ? triangle.b : triangle.c;
+}
+
+/// Numbers the corners of the triangles [first, last), which are one part.
+void numberPart(const Scene& scene, std::uint32_t first, std::uint32_t last, std::uint32_t& next,
+                std::vector<std::uint32_t>& numbers)
+{
+  Box bounds;
+  for (std::uint32_t corner = 3 * first; corner < 3 * last; ++corner)
   {
     if (isFinite(scene.triangles[corner / 3]))
     {
-      order.push_back(corner);
+      bounds.add(cornerOf(scene, corner));
     }
   }
-  std::sort(order.begin(), order.end(),
-            [&key](std::uint32_t left, std::uint32_t right) { return key(left) < key(right); });
-  std::vector<std::uint32_t> numbers(3 * scene.triangles.size(), 0);
-  for (std::size_t i = 1; i < order.size(); ++i)
+  PlaceTable places(glm::length(bounds.high - bounds.low));
+  for (std::uint32_t corner = 3 * first; corner < 3 * last; ++corner)
   {
-    numbers[order[i]] = numbers[order[i - 1]] + (key(order[i - 1]) < key(order[i]) ? 1 : 0);
+    if (isFinite(scene.triangles[corner / 3]))
+    {
+      numbers[corner] = places.find(cornerOf(scene, corner), next);
+      next += numbers[corner] == next ? 1 : 0;
+    }
+  }
+}
+
+/// A number for each corner, the same for those of one part at one place.
+std::vector<std::uint32_t> numberCorners(const Scene& scene)
+{
+  std::vector<std::uint32_t> numbers(3 * scene.triangles.size(), 0);
+  std::uint32_t next = 0;
+  for (std::uint32_t first = 0; first < scene.triangles.size();)
+  {
+    std::uint32_t last = first + 1;
+    while (last < scene.triangles.size() && scene.triangles[last].part == scene.triangles[first].part)
+    {
+      ++last;
+    }
+    numberPart(scene, first, last, next, numbers);
+    first = last;
   }
   return numbers;
 }

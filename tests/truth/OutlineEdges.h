@@ -28,7 +28,8 @@ struct OutlineEdge
 /// Finds the edges of a scene that its outline consists of: those where a surface turns away from the eye,
 /// its borders, and creases where they are asked for.
 ///
-/// Triangles are neighbours when they are of one part and two of their corners are equal. An edge is on the
+/// Triangles are neighbours when they are of one part, whose triangles stand together, and two of their
+/// corners are equal up to single precision at the size of the part. An edge is on the
 /// silhouette when more of its triangles lie on one side of the plane through edge and eye than on the
 /// other, however they are wound: of two triangles both, and of three always, for one of them is left when
 /// the others have been paired. With two or more on each side it is uncertain, as it depends on which are

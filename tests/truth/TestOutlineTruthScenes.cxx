@@ -147,6 +147,15 @@ std::vector<SceneCase> makeSceneCases()
          addRing(scene);
          scene.lookFrom(0.1, 0.3, 1.0);
        }},
+      {"TorusWhoseSeamMissesItselfByRounding",
+       [](OutlineScene& scene)
+       {
+         vtkNew<vtkParametricTorus> shape;
+         vtkNew<vtkParametricFunctionSource> torus;
+         torus->SetParametricFunction(shape);
+         scene.addSource(torus);
+         scene.lookFrom(0.8, -0.5, 0.6);
+       }},
       {"FineSphereSmall",
        [](OutlineScene& scene)
        {

@@ -152,6 +152,28 @@ def renders(backend):
     colours = {pixels.GetTuple3(i) for i in range(pixels.GetNumberOfTuples())}
     if len(colours) < 10:
         fail("the picture has only %d colours" % len(colours))
+    expect_outlines(renderer, window, shadows)
+
+
+def expect_outlines(renderer, window, shadows):
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkshadow import vtkSilhouettePass
+
+    outlines = vtkSilhouettePass()
+    outlines.SetDelegatePass(shadows)
+    outlines.SetLineWidth(3.0)
+    outlines.SetColor(1.0, 0.0, 0.0)
+    renderer.SetPass(outlines)
+    window.Render()
+    if outlines.GetStatus() != vtkSilhouettePass.STATUS_OK or outlines.GetDelegatePass() is not shadows:
+        fail("outlines: " + outlines.GetStatusMessage())
+    mask = vtkImageData()
+    if not outlines.GetLineMask(mask):
+        fail("no line mask")
+    values = mask.GetPointData().GetScalars()
+    lines = sum(values.GetValue(i) == 255 for i in range(values.GetNumberOfValues()))
+    if not 200 < lines < values.GetNumberOfValues() / 4:
+        fail("%d pixels are lines" % lines)
 
 
 CASES = (renders_by_osmesa, renders_by_egl, vtk_first, no_osmesa, no_egl, unknown_backend, without_headless)

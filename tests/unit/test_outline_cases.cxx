@@ -121,6 +121,35 @@ TEST(OutlineCase, NearPlaneThroughTheMesh)
   expectRight(scene);
 }
 
+TEST(OutlineCase, FarPlane_NoLinesBeyondIt)
+{
+  OutlineScene scene(200, 150);
+  scene.addPolyData(toPolyData(makeCube({-1.5, 0.0, 0.0}, 1.0)));
+  scene.addPolyData(toPolyData(makeCube({1.5, 0.0, -4.0}, 1.0)));
+  setCamera(scene, {0.0, 0.5, 8.0}, {0.0, 0.0, 0.0});
+  for (int technique = 0; technique < 2; ++technique)
+  {
+    scene.outlines->SetTechnique(technique);
+    for (const bool parallel : {false, true})
+    {
+      scene.renderer->GetActiveCamera()->SetParallelProjection(parallel);
+      scene.renderer->GetActiveCamera()->SetParallelScale(2.5);
+      scene.renderer->GetActiveCamera()->SetClippingRange(1.0, 20.0);
+      const std::size_t both = countValue(scene.renderLines(2.0), 255);
+      scene.renderer->GetActiveCamera()->SetClippingRange(1.0, 10.0);
+      const Pixels lines = scene.renderLines(2.0);
+      std::size_t right = 0;
+      for (std::size_t i = 0; i < lines.size(); ++i)
+      {
+        right += i % 200 > 110 && lines[i] == 255 ? 1 : 0;
+      }
+      EXPECT_EQ(right, 0u) << parallel;
+      EXPECT_GT(countValue(lines, 255), 100u) << parallel;
+      EXPECT_GT(both, countValue(lines, 255) + 60u) << parallel;
+    }
+  }
+}
+
 TEST(OutlineCase, EyeBetweenTriangles_EdgesBehindIt)
 {
   // Long triangles that pass the eye on all sides.
