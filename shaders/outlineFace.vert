@@ -111,7 +111,9 @@ void main()
   edges = 0;
   int lineCount = 0;
   int onlyEdge = 0;
-  for (int edge = 0; edge < 3; ++edge)
+  // A face without area stands in for nothing: its neighbours store the normal beyond it, and have its lines.
+  int edgesToAsk = own == vec3(0.0) ? 0 : 3;
+  for (int edge = 0; edge < edgesToAsk; ++edge)
   {
     vec3 other = unpackNormal(texelFetch(normalTexels, 3 * face + edge).x);
     int kind = kindOf(own, other, eyeMC.xyz - eyeMC.w * cornersMC[edge]);

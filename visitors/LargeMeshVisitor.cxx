@@ -6,8 +6,9 @@ namespace shadow
 bool ShownSurface::operator==(const ShownSurface& other) const
 {
   // Not by address: another geometry may have taken the place of one that is gone.
-  return !this->geometry.owner_before(other.geometry) && !other.geometry.owner_before(this->geometry) &&
-         this->modelToWorld == other.modelToWorld && this->culling == other.culling;
+  return this->path == other.path && !this->geometry.owner_before(other.geometry) &&
+         !other.geometry.owner_before(this->geometry) && this->modelToWorld == other.modelToWorld &&
+         this->culling == other.culling;
 }
 
 void LargeMeshVisitor::apply(SEDGeode& geode)
@@ -19,7 +20,8 @@ void LargeMeshVisitor::apply(SEDGeode& geode)
   {
     return;
   }
-  this->shown.push_back({geode.getSharedGeometry(), this->getModelToWorld(), this->getFaceCulling()});
+  this->shown.push_back(
+      {this->getPath(), geode.getSharedGeometry(), this->getModelToWorld(), this->getFaceCulling()});
   const SEDGeometry& geometry = geode.getGeometry();
   const std::size_t triangles = geometry.getTriangles().size();
   if (triangles >= this->leastTriangles && this->getFaceCulling() == FaceCulling::None)

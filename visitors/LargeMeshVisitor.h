@@ -23,6 +23,7 @@ struct LargeMesh
 /// What the pre-pass shows of a path; the same surfaces when equal.
 struct ShownSurface
 {
+  NodePath path;
   std::weak_ptr<const SEDGeometry> geometry;
   glm::dmat4 modelToWorld{1.0};
   FaceCulling culling = FaceCulling::None;

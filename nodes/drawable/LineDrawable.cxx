@@ -51,7 +51,12 @@ bool LineDrawable::upload(const std::vector<FaceEdges>& lines)
   glBindBuffer(GL_TEXTURE_BUFFER, this->buffer);
   glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->bytes), codes.data(), GL_STREAM_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
-  return this->texels.attach(this->buffer, codes.size());
+  if (!this->texels.attach(this->buffer, codes.size()))
+  {
+    this->edges = 0;
+    return false;
+  }
+  return true;
 }
 
 bool LineDrawable::draw(vtkOpenGLState* state, vtkShaderProgram* program, SEDGeometryDrawable& mesh) const

@@ -32,7 +32,7 @@ public:
   LineDrawable& operator=(const LineDrawable&) = delete;
 
   /// Replaces the lines.
-  /// @return false when they are more than the GL can look up
+  /// @return false when they are more than the GL can look up; there are then none
   bool upload(const std::vector<FaceEdges>& lines);
 
   /// Draws them with the current program, see shaders/outlineEdge.vert. @pre a vertex array is bound

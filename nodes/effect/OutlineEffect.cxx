@@ -9,6 +9,7 @@
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
+#include "FinishStage.h"
 #include "GLStateScope.h"
 #include "OpenGL.h"
 #include "SEDGeode.h"
@@ -45,14 +46,6 @@ View widen(const View& view, int margin)
   const glm::dvec3 scale(static_cast<double>(view.width) / width, static_cast<double>(view.height) / height,
                          1.0);
   return makeView(glm::scale(glm::dmat4(1.0), scale) * view.clipFromWC, width, height);
-}
-
-void finishStage(bool wait)
-{
-  if (wait)
-  {
-    glFinish();
-  }
 }
 
 } // namespace
@@ -115,7 +108,11 @@ bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view,
   const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
   this->margin = static_cast<int>(std::ceil(0.5 * settings.lineWidth + softness)) + 1;
   const View wideView = widen(view, this->margin);
-  const int scale = settings.depthScale > 0 ? settings.depthScale : chooseDepthScale(view.width, view.height);
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const int possible = std::max(1, largest / std::max(wideView.width, wideView.height));
+  const int scale = std::min(possible, settings.depthScale > 0 ? settings.depthScale
+                                                               : chooseDepthScale(view.width, view.height));
   if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, scale, error))
   {
     return false;

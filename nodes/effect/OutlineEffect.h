@@ -121,7 +121,8 @@ private:
     std::vector<FaceEdges> creases;
     std::vector<FaceEdges> lines;
     LineDrawable drawable;
-    bool found = false; ///< lines belong to eyeMC and settings
+    bool found = false;    ///< lines belong to eyeMC and settings
+    bool uploaded = false; ///< the GL has taken them
     bool used = false;
   };
 
@@ -143,6 +144,8 @@ private:
   bool drawStages(vtkOpenGLRenderWindow* window, const View& view, const Settings& settings,
                   std::string& error);
   void findLines(const Surface& surface, const Settings& settings);
+  void findLinesAnew(PathLines& kept, const SEDGeometry& geometry, const glm::dvec4& eyeMC,
+                     const Settings& settings, bool sameCreases);
   static void findMesh(const Surface& surface);
   bool drawDepth(vtkOpenGLRenderWindow* window, const View& wideView, std::string& error);
   bool drawLines(vtkOpenGLRenderWindow* window, const View& wideView, const Settings& settings,

@@ -42,11 +42,23 @@ void OutlineEffect::findLines(const Surface& surface, const Settings& settings)
   const bool same = sameCreases && kept.eyeMC == surface.eyeMC &&
                     kept.settings.silhouette == settings.silhouette &&
                     kept.settings.border == settings.border;
-  if (same || settings.technique == LineTechnique::Faces)
+  if (settings.technique == LineTechnique::Faces)
   {
     return;
   }
-  const SEDGeometry& geometry = *surface.geometry;
+  if (!same)
+  {
+    this->findLinesAnew(kept, *surface.geometry, surface.eyeMC, settings, sameCreases);
+  }
+  if (!kept.uploaded)
+  {
+    this->errors.push_back(surface.name + " has no outline: it has more lines than the GL can look up");
+  }
+}
+
+void OutlineEffect::findLinesAnew(PathLines& kept, const SEDGeometry& geometry, const glm::dvec4& eyeMC,
+                                  const Settings& settings, bool sameCreases)
+{
   if (!sameCreases)
   {
     kept.creases =
@@ -57,16 +69,13 @@ void OutlineEffect::findLines(const Surface& surface, const Settings& settings)
     this->finder = makeSilhouetteFinder(SilhouetteMethod::Auto, 0.0, makeSmpParallelFor());
   }
   kept.found = true;
-  kept.eyeMC = surface.eyeMC;
+  kept.eyeMC = eyeMC;
   kept.settings = settings;
   this->finder->face(geometry, kept.eyeMC, kept.facing);
   kept.mesh->completeFacing(kept.facing);
   kept.mesh->findLines(geometry, kept.facing, {settings.silhouette, settings.border, &kept.creases},
                        kept.lines);
-  if (!kept.drawable.upload(kept.lines))
-  {
-    this->errors.push_back(surface.name + " has no outline: it has more lines than the GL can look up");
-  }
+  kept.uploaded = kept.drawable.upload(kept.lines);
 }
 
 bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideView, const Settings& settings,

@@ -6,6 +6,7 @@
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
+#include "FinishStage.h"
 #include "GLStateScope.h"
 #include "OpenGL.h"
 #include "SEDVisitor.h"
@@ -17,21 +18,6 @@
 
 namespace shadow
 {
-
-namespace
-{
-
-constexpr const char* noShader = "a shader of the shadow stages does not compile on this GL";
-
-void finishStage(bool wait)
-{
-  if (wait)
-  {
-    glFinish();
-  }
-}
-
-} // namespace
 
 const Capabilities& ShadowVolumeEffect::getCapabilities()
 {
@@ -54,6 +40,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
     error = this->capabilities.missing;
     return false;
   }
+  glGetIntegerv(GL_SAMPLES, &this->viewSamples);
   const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
   const int samples = std::min(settings.samples, this->capabilities.maximumSamples);
   this->countBuffer = this->chooseCountBuffer(settings.countBuffer, samples);
@@ -224,7 +211,7 @@ bool ShadowVolumeEffect::drawSurfaces(const Frame& frame, std::string& error)
   vtkShaderProgram* program = ShadowPrograms(frame.window).use(ShadowPrograms::PrePass, frame.view.parallel);
   if (program == nullptr)
   {
-    error = noShader;
+    error = unusableShader;
     return false;
   }
   setDepthBias(program, this->depthRange.reversed, false);
@@ -239,76 +226,14 @@ bool ShadowVolumeEffect::drawSurfaces(const Frame& frame, std::string& error)
 void ShadowVolumeEffect::markBacks(const Frame& frame)
 {
   const bool worthwhile = frame.settings.findHiddenBacks && this->capabilities.software &&
-                          this->target.getSamples() == 1 && this->countBuffer == CountBuffer::Color;
+                          this->target.getSamples() == 1 && this->viewSamples <= 1 &&
+                          this->countBuffer == CountBuffer::Color;
   std::uint32_t taken = worthwhile ? 0 : ~0u;
   for (const Light& light : frame.lights)
   {
     taken |= 1u << light.index;
   }
   this->hiddenBacks.choose(*this, frame.view, this->getClipFromWC(frame.view), taken);
-}
-
-bool ShadowVolumeEffect::drawVolumes(const Frame& frame, const Light& light, std::string& error)
-{
-  vtkOpenGLState* state = frame.window->GetState();
-  ShadowPrograms programs(frame.window);
-  vtkShaderProgram* program = nullptr;
-  std::size_t counted = 0;
-  bool open = false;
-  bool usable = true;
-
-  const auto openCount = [&]
-  {
-    program = programs.use(this->countBuffer == CountBuffer::Stencil ? ShadowPrograms::VolumeInStencil
-                                                                     : ShadowPrograms::VolumeInColor,
-                           frame.view.parallel);
-    usable = usable && program != nullptr;
-    this->target.beginCount(state);
-    open = true;
-  };
-  const auto fold = [&]
-  {
-    usable = this->target.foldCount(state, programs, light.index, this->depthRange.reversed) && usable;
-    counted = 0;
-    open = false;
-  };
-
-  for (const StencilCount count : {StencilCount::ZPass, StencilCount::ZFail})
-  {
-    SVStateVisitor volumeMode(RenderMode{RenderMode::What::Volume, light.index, count});
-    this->accept(volumeMode);
-    if (!open)
-    {
-      openCount();
-    }
-    if (!usable)
-    {
-      break;
-    }
-    DrawVisitor::Pass pass = this->makeDrawPass(program, frame);
-    pass.makeRoom = [&](std::size_t bound)
-    {
-      // A stencil counts modulo 256. What is drawn between two folds can never come to 256 on any pixel.
-      if (counted + bound > mostCountableIn(this->countBuffer) && counted > 0)
-      {
-        fold();
-        openCount();
-      }
-      // What was drawn has to be folded, whatever its bound.
-      counted += std::max<std::size_t>(bound, 1);
-    };
-    DrawVisitor draw(pass);
-    this->accept(draw);
-    this->statistics.sideTriangles += draw.getCounts().sides;
-    this->statistics.capTriangles += draw.getCounts().caps;
-    this->statistics.silhouetteEdges += draw.getCounts().silhouetteEdges;
-  }
-  if (usable && counted > 0)
-  {
-    fold();
-  }
-  error = usable ? error : noShader;
-  return usable;
 }
 
 void ShadowVolumeEffect::release(bool contextLost)

@@ -120,6 +120,8 @@ protected:
   /// The view's clip matrix with this frame's depth range.
   glm::dmat4 getClipFromWC(const View& view) const { return shadowClipFromWC(view, this->depthRange); }
 
+  static constexpr const char* unusableShader = "a shader of the shadow stages does not compile on this GL";
+
   DrawableCache& getDrawables() { return this->drawables; }
   Statistics& changeStatistics() { return this->statistics; }
 
@@ -138,6 +140,7 @@ private:
   Capabilities capabilities;
   bool capabilitiesKnown = false;
   ShadowTarget target;
+  int viewSamples = 0;                            ///< a pixel of the framebuffer that VTK draws into
   CountBuffer countBuffer = CountBuffer::Stencil; ///< of the coming frame
   DrawableCache drawables;
   DepthRange depthRange;

@@ -58,7 +58,6 @@ struct ClusterTree::Walk
   const ScaledLight& light;
   std::uint64_t* towards;
   std::uint64_t* away;
-  std::vector<std::uint32_t>& mixed;
   std::size_t runBegin = 0;
   std::size_t runEnd = 0;
   bool runTowards = false;
@@ -207,8 +206,25 @@ void ClusterTree::classify(const ScaledLight& light, FacingBits& towards, Facing
   {
     return;
   }
-  Walk walk{light, towards.data(), away.data(), mixed};
-  this->visit(this->levels.size() - 1, 0, walk);
+  // Level by level, since what is next on a level is known, and fetched, before its turn.
+  constexpr std::size_t ahead = 4;
+  Walk walk{light, towards.data(), away.data()};
+  std::vector<std::uint32_t> groups = {0};
+  std::vector<std::uint32_t> below;
+  for (std::size_t level = this->levels.size(); level-- > 0;)
+  {
+    std::vector<std::uint32_t>& next = level > 0 ? below : mixed;
+    for (std::size_t index = 0; index < groups.size(); ++index)
+    {
+      if (index + ahead < groups.size())
+      {
+        prefetch(&this->levels[level][groups[index + ahead]], sizeof(Group));
+      }
+      this->visit(level, groups[index], walk, next);
+    }
+    groups.swap(below);
+    below.clear();
+  }
   walk.flush();
   towards.clearBeyondEnd();
   away.clearBeyondEnd();
@@ -239,7 +255,10 @@ SHADOW_ALSO_FOR_AVX2 void ClusterTree::evaluate(const Group& nodes, const Scaled
   }
 }
 
-void ClusterTree::visit(std::size_t level, std::size_t group, Walk& walk) const
+/// Writes the words of a group's children that face alike.
+/// @param mixed  the other children are appended, by their number on their level
+void ClusterTree::visit(std::size_t level, std::size_t group, Walk& walk,
+                        std::vector<std::uint32_t>& mixed) const
 {
   // With u, e and S as in ScaledLight: the planes are off by (u / 2 + 1 e) S, the light by 1 e S, relative to
   // the centre by 3 e S, evaluating adds 6 e (|x| + |y| + |z| + 3 |w|), as offsets are below 2; and a corner
@@ -257,28 +276,16 @@ void ClusterTree::visit(std::size_t level, std::size_t group, Walk& walk) const
   }
   const std::size_t covered = std::min(this->words - fan * span * group, fan * span);
   const std::size_t children = (covered + span - 1) / span;
-  const auto isMixed = [&](std::size_t lane) { return !(lower[lane] > bound) && !(upper[lane] < -bound); };
-  for (std::size_t lane = 0; level > 0 && lane < children; ++lane)
-  {
-    if (isMixed(lane))
-    {
-      prefetch(&this->levels[level - 1][fan * group + lane], sizeof(Group));
-    }
-  }
   for (std::size_t lane = 0; lane < children; ++lane)
   {
     const std::size_t child = fan * group + lane;
-    if (!isMixed(lane))
+    if (lower[lane] > bound || upper[lane] < -bound)
     {
       walk.add(child * span, std::min((child + 1) * span, this->words), lower[lane] > bound);
     }
-    else if (level == 0)
-    {
-      walk.mixed.push_back(static_cast<std::uint32_t>(child));
-    }
     else
     {
-      this->visit(level - 1, child, walk);
+      mixed.push_back(static_cast<std::uint32_t>(child));
     }
   }
 }

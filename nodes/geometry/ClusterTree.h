@@ -70,7 +70,7 @@ private:
   std::size_t boundLevel(std::size_t level, std::size_t children);
   void store(std::size_t level, std::size_t node, const Bounds& bounds);
   Bounds load(std::size_t level, std::size_t node) const;
-  void visit(std::size_t level, std::size_t group, Walk& walk) const;
+  void visit(std::size_t level, std::size_t group, Walk& walk, std::vector<std::uint32_t>& mixed) const;
 
   std::vector<std::vector<Group>> levels; ///< [0] clusters; the last one has one group
   std::size_t words = 0;

@@ -17,7 +17,7 @@ namespace shadow
 /// all four are whole numbers of 1 / unitsInOne. A triangle whose plane is not known as well as that, one
 /// without area above all, and one that is not there have a plane of zeros: it decides nothing.
 ///
-/// So few digits leave more triangles to be decided from their corners, some thousandths of a per cent of a
+/// So few digits leave more triangles to be decided from their corners, a few in a hundred thousand of a
 /// smooth mesh. But deciding the others takes no longer than reading their planes: half the bytes are half
 /// the time.
 struct PlaneBlock

@@ -22,6 +22,10 @@ ScaledLight scaleLight(const glm::dvec4& lightMC, double reach)
   int exponent = 0;
   std::frexp(largest, &exponent);
   const double factor = std::ldexp(1.0, -exponent);
+  if (!std::isfinite(factor))
+  {
+    return {};
+  }
   const glm::dvec4 scaled = inReach * factor;
   // Positions so small that single precision has no digits for them are where they are only roughly.
   const double touching = lightMC.w != 0.0 ? 0x1p-146 * factor : 0.0;
@@ -33,6 +37,10 @@ ScaledLight scaleLight(const glm::dvec4& lightMC, double reach)
 
 LightInUnits toUnits(const ScaledLight& light)
 {
+  if (!(light.bound > 0.0f))
+  {
+    return {};
+  }
   const glm::dvec4 exact(light.x, light.y, light.z, light.w);
   const double largest =
       std::max({std::abs(exact.x), std::abs(exact.y), std::abs(exact.z), std::abs(exact.w)});

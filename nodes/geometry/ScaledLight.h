@@ -30,7 +30,7 @@ struct ScaledLight
 
 /// @param lightMC  w = 1: position relative to the geometry's origin; w = 0: direction towards the light
 /// @param reach    a power of two, see SEDGeometry::getReach()
-/// @return  all zeros when the light has no direction or is not finite
+/// @return  all zeros when the light has no direction, down to rounding, or is not finite
 ScaledLight scaleLight(const glm::dvec4& lightMC, double reach);
 
 /// The same in whole numbers, so that the products with a plane of units fit into 32 bits and their sum too.
@@ -43,7 +43,7 @@ struct LightInUnits
   std::int32_t bound = 0; ///< as ScaledLight::bound, for values in whole numbers
 };
 
-/// @pre the light is finite and not all zeros
+/// @return  all zeros for a light of all zeros
 LightInUnits toUnits(const ScaledLight& light);
 
 } // namespace shadow

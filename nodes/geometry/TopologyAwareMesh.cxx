@@ -204,13 +204,16 @@ void TopologyAwareMesh::findStandIns(const SEDGeometry& geometry)
     return;
   }
   const auto hasNormal = [this](std::uint32_t face) { return this->normals[face] != glm::vec3(0.0f); };
+  std::vector<bool> visited(this->countFaces(), false);
   std::vector<std::uint32_t> chain;
   for (std::uint32_t start = 0; start < this->countFaces(); ++start)
   {
     chain.clear();
     std::uint32_t face = start;
-    while (face != noTriangle && !hasNormal(face) && std::count(chain.begin(), chain.end(), face) == 0)
+    // A chain that comes to a face it has been to, or to one whose own chain found nothing, finds nothing.
+    while (face != noTriangle && !hasNormal(face) && !visited[face])
     {
+      visited[face] = true;
       chain.push_back(face);
       face = this->neighbours[face][findLongestEdge(geometry, face)];
     }

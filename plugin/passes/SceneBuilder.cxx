@@ -38,7 +38,9 @@ FaceCulling faceCullingOf(vtkActor* actor)
 bool letsThrough(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
-  return actor->GetForceOpaque() || shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
+  // VTK leaves out what a texture makes wholly transparent, and takes the actor for opaque all the same.
+  return actor->GetTexture() != nullptr || actor->GetProperty()->GetNumberOfTextures() > 0 ||
+         actor->GetForceOpaque() || shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
          shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 
@@ -146,7 +148,9 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     return;
   }
   transform->clearChildren();
-  for (vtkPolyData* polyData : this->surfaces.collect(actor, path, transform->matrix))
+  const std::vector<vtkPolyData*> drawn = this->surfaces.collect(actor, path, transform->matrix);
+  placed.surfaces = drawn.size();
+  for (vtkPolyData* polyData : drawn)
   {
     if (const std::shared_ptr<SEDGeode> geode = this->getGeode(polyData, settings, transform->name))
     {
@@ -203,7 +207,7 @@ vtkProp* SceneBuilder::findActor(const Node* transform) const
   vtkProp* actor = nullptr;
   for (const auto& [path, placed] : this->transforms)
   {
-    if (placed.transform.get() == transform && placed.transform->getChildren().size() == 1)
+    if (placed.transform.get() == transform && placed.surfaces == 1)
     {
       actor = path.back();
     }

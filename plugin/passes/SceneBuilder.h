@@ -50,8 +50,8 @@ public:
   /// The actor of a transform that stands for it alone: one data set, drawn in one place. Else nullptr.
   vtkProp* findActor(const Node* transform) const;
 
-  /// True when what VTK draws for an actor may let through what lies behind: shaders of its own, or
-  /// translucency that is taken for opaque.
+  /// True when what VTK draws for an actor may let through what lies behind: shaders of its own,
+  /// textures, or translucency that is taken for opaque.
   bool mayBeSeenThrough() const { return this->seenThrough; }
 
   /// Actors that were left out although they are drawn, and why.
@@ -79,6 +79,7 @@ private:
   struct PlacedActor
   {
     std::shared_ptr<Transform> transform = std::make_shared<Transform>();
+    std::size_t surfaces = 0; ///< that VTK draws, those that cannot be used too
     bool used = false;
   };
 

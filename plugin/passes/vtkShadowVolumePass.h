@@ -278,7 +278,8 @@ public:
   /**
    * Statistics of the last rendering: actors of 10,000 triangles and more that no pixel shows the back of, so
    * that half of their triangles could be left out. Only looked for where it pays, with Mesa's software
-   * rasterisers; a shader of its own or ForceOpaque on any actor turns it off.
+   * rasterisers in windows without multisampling; a texture, a shader of its own or ForceOpaque on any actor
+   * turns it off.
    */
   int GetNumberOfHiddenBacks() const;
 

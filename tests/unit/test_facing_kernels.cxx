@@ -77,6 +77,17 @@ TEST(InstructionSets, RandomPlanes_GiveTheSameWords)
   }
 }
 
+TEST(LightInUnits, LightWithoutDirection_IsAllZeros)
+{
+  const double notANumber = std::nan("");
+  for (const glm::dvec4& light :
+       {glm::dvec4(0.0), glm::dvec4(notANumber, 0.0, 1.0, 0.0), glm::dvec4(1e-320, 0.0, 0.0, 0.0)})
+  {
+    const LightInUnits inUnits = toUnits(scaleLight(light, 1.0));
+    EXPECT_TRUE(inUnits.x == 0 && inUnits.y == 0 && inUnits.z == 0 && inUnits.w == 0 && inUnits.bound == 0);
+  }
+}
+
 TEST(LightInUnits, AnyLight_DoesNotOverflowAndBoundsTheError)
 {
   std::mt19937 random(2);

@@ -1,16 +1,20 @@
 // Backs of large meshes that no pixel shows are left out, and only those: the picture is that of a scene
 // where a shader of its own on the table keeps the pass from leaving anything out.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <vtkAssembly.h>
 #include <vtkCamera.h>
 #include <vtkCubeSource.h>
 #include <vtkCylinderSource.h>
+#include <vtkImageData.h>
 #include <vtkLightCollection.h>
 #include <vtkProperty.h>
 #include <vtkReverseSense.h>
 #include <vtkShaderProperty.h>
+#include <vtkTexture.h>
 
 #include "BallScene.h"
 
@@ -202,4 +206,52 @@ TEST(HiddenBacks, ShaderOfAnActorsOwn_NothingLeftOut)
   scene.table->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Normal::Impl", true, "  if (vertexVC.x > 0.0) { discard; }\n//VTK::Normal::Impl\n", false);
   scene.expectWholePicture(0);
+}
+
+TEST(HiddenBacks, TextureThatMayHaveHoles_NothingLeftOut)
+{
+  LargeBallScene scene;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 16, static_cast<unsigned char>(255));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  scene.table->SetTexture(texture);
+  scene.expectWholePicture(0);
+}
+
+TEST(HiddenBacks, ParallelProjection_LeftOut)
+{
+  LargeBallScene scene;
+  vtkCamera* camera = scene.renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(2.0);
+  scene.expectWholePicture(1);
+}
+
+TEST(HiddenBacks, ActorsOfOneMeshThatChangePlaces_EachAskedAboutAnew)
+{
+  LargeBallScene scene;
+  scene.lookInside();
+  const auto lookAway = [](vtkActor* actor, double angle, double x)
+  {
+    actor->SetOrientation(0.0, 0.0, 0.0);
+    actor->RotateX(angle);
+    actor->SetPosition(x, 0.0, 0.0);
+  };
+  vtkNew<vtkActor> other;
+  other->SetMapper(scene.ballActor->GetMapper());
+  other->SetOrigin(scene.ballActor->GetOrigin());
+  scene.renderer->AddActor(other);
+  lookAway(scene.ballActor, -90.0, -0.6);
+  lookAway(other, 90.0, 0.6);
+  scene.expectWholePicture(1);
+  // The same meshes in the same places in the same order, but of other actors.
+  lookAway(other, -90.0, -0.6);
+  lookAway(scene.ballActor, 90.0, 0.6);
+  const vtkSmartPointer<vtkActor> kept = scene.ballActor;
+  scene.renderer->RemoveActor(kept);
+  scene.renderer->AddActor(kept);
+  scene.expectWholePicture(1);
 }
