@@ -13,10 +13,10 @@ namespace shadow
 class AutoSilhouette : public SilhouetteFinder
 {
 public:
-  /// Triangles from which on the hierarchical method is faster. Measured with bench_silhouette: with 8,000 it
-  /// is ahead by a tenth on a smooth mesh and level on one that is dented everywhere; with 4,000 it is
-  /// behind by a tenth on both.
-  static constexpr std::size_t leastHierarchical = 8000;
+  /// Triangles from which on the hierarchical method is faster. Measured with bench_silhouette and
+  /// bench_published_silhouettes: with 16,000 it is level on a smooth mesh, with 13,000 behind by a fifth on
+  /// one with flat parts, with 65,000 ahead by a fifth on a smooth mesh and level on the bunny.
+  static constexpr std::size_t leastHierarchical = 16000;
 
   SilhouetteMethod getMethod(const SEDGeometry& geometry) const override;
   void face(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing) const override;
