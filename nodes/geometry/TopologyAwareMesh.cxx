@@ -98,40 +98,24 @@ TopologyAwareMesh::TopologyAwareMesh(const SEDGeometry& geometry)
 
 void TopologyAwareMesh::linkNeighbours(const SEDGeometry& geometry)
 {
-  const EdgeTable& table = geometry.getEdgeTable();
-  for (std::size_t word = 0; word < table.words.size(); ++word)
-  {
-    const EdgeTable::Record record = table.getRecord(word);
-    const auto base = static_cast<std::uint32_t>(64 * word);
-    for (std::size_t i = 0; i < record.inner; ++i)
-    {
-      const std::uint32_t first = base + EdgeTable::triangleOf(record.innerFirst[i]);
-      const std::uint32_t second = base + EdgeTable::triangleOf(record.innerSecond[i]);
-      this->neighbours[first][EdgeTable::sideOf(record.innerFirst[i])] = second;
-      this->neighbours[second][EdgeTable::sideOf(record.innerSecond[i])] = first;
-    }
-  }
-  for (const Edge& edge : geometry.getEdges())
-  {
-    const auto [first, second] = edge.triangles;
-    if (second == noTriangle || first >> 6 == second >> 6)
-    {
-      continue;
-    }
-    for (const std::uint32_t side : {0u, 1u, 2u})
-    {
-      const auto isEdge = [&edge](const std::array<std::uint32_t, 2>& ends)
-      { return std::is_permutation(ends.begin(), ends.end(), edge.vertices.begin()); };
-      if (isEdge(geometry.getSide(first, side)))
-      {
-        this->neighbours[first][side] = second;
-      }
-      if (isEdge(geometry.getSide(second, side)))
-      {
-        this->neighbours[second][side] = first;
-      }
-    }
-  }
+  forEachEdge(geometry.getEdgeTable(),
+              [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)
+              {
+                if (second == noTriangle)
+                {
+                  return;
+                }
+                this->neighbours[first][side] = second;
+                const std::array<std::uint32_t, 2> ends = geometry.getSide(first, side);
+                for (const std::uint32_t other : {0u, 1u, 2u})
+                {
+                  const std::array<std::uint32_t, 2> otherEnds = geometry.getSide(second, other);
+                  if (std::is_permutation(ends.begin(), ends.end(), otherEnds.begin()))
+                  {
+                    this->neighbours[second][other] = first;
+                  }
+                }
+              });
 }
 
 // Borders at the same place, two of them, along which their faces run the same way.

@@ -46,6 +46,13 @@ inline std::array<std::uint32_t, 3> getTurnedCorners(const SEDGeometry& geometry
   return corners;
 }
 
+/// 1 when a triangle casts as it is oriented, -1 when it casts turned over, 0 when it does not cast.
+inline int getCastingSign(const LightFacing& facing, Casting casting, std::uint32_t triangle)
+{
+  const int sign = facing.towards.test(triangle) ? 1 : 0;
+  return casting == Casting::LightFacing ? sign : sign - (facing.away.test(triangle) ? 1 : 0);
+}
+
 /// Calls visit(a, b, c) with the corners of every casting triangle, counter-clockwise seen from the light.
 ///
 /// @param among  only these triangles; null: all

@@ -54,11 +54,9 @@ EdgeScan::EdgeScan(const SEDGeometry& theGeometry, const LightFacing& theFacing,
   }
 }
 
-/// 1 when the triangle casts as it is oriented, -1 when it casts turned over, 0 when it does not cast.
 int EdgeScan::getSign(std::uint32_t triangle) const
 {
-  const int sign = this->facing.towards.test(triangle) ? 1 : 0;
-  return this->casting == Casting::LightFacing ? sign : sign - (this->facing.away.test(triangle) ? 1 : 0);
+  return getCastingSign(this->facing, this->casting, triangle);
 }
 
 void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,

@@ -9,41 +9,13 @@
 namespace shadow
 {
 
-namespace
-{
-
-/// How the light sees a triangle: 1 its front, -1 its back where backs cast, else 0.
-class Sides
-{
-public:
-  Sides(const LightFacing& theFacing, Casting casting)
-      : facing(theFacing), everyTriangle(casting == Casting::EveryTriangle)
-  {
-  }
-
-  int operator()(std::uint32_t triangle) const
-  {
-    if (this->facing.towards.test(triangle))
-    {
-      return 1;
-    }
-    return this->everyTriangle && this->facing.away.test(triangle) ? -1 : 0;
-  }
-
-private:
-  const LightFacing& facing;
-  bool everyTriangle;
-};
-
-} // namespace
-
 std::vector<SilhouetteEdge> TopologyAwareMeshSilhouette::find(const SEDGeometry& geometry,
                                                               const LightFacing& facing,
                                                               Casting casting) const
 {
   const auto mesh = geometry.getPreparedData().get<TopologyAwareMesh>(
       0.0, [&geometry] { return TopologyAwareMesh(geometry); });
-  const Sides sideOf(facing, casting);
+  const auto sideOf = [&](std::uint32_t triangle) { return getCastingSign(facing, casting, triangle); };
   std::vector<SilhouetteEdge> silhouette;
   const auto addOwnedBy = [&](std::uint32_t triangle)
   {

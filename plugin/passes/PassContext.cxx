@@ -4,11 +4,13 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <vtkHardwareSelector.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLCamera.h>
 #include <vtkOpenGLState.h>
 #include <vtkProp.h>
+#include <vtkRenderState.h>
 
 #include "OpenGL.h"
 
@@ -53,6 +55,26 @@ View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
   int viewport[4] = {0, 0, 0, 0};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   return makeView(clip, viewport[2], viewport[3]);
+}
+
+bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
+                                int& rendered)
+{
+  if (renderer->GetPass() == pass && !this->insideCameraPass)
+  {
+    this->insideCameraPass = true;
+    this->camera->SetDelegatePass(pass);
+    this->camera->Render(s);
+    this->camera->SetDelegatePass(nullptr);
+    this->insideCameraPass = false;
+    return true;
+  }
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    rendered = selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
+    return true;
+  }
+  return false;
 }
 
 void ScenePasses::ReleaseGraphicsResources(vtkWindow* window)

@@ -1,8 +1,11 @@
 #ifndef PassContext_h
 #define PassContext_h
 
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <memory>
 
 #include <vtkCameraPass.h>
 #include <vtkLightsPass.h>
@@ -19,6 +22,8 @@
 #include "View.h"
 
 class vtkProp;
+class vtkRenderPass;
+class vtkRenderState;
 class vtkWindow;
 
 namespace shadow
@@ -54,6 +59,56 @@ private:
   vtkNew<vtkTextureObject> sentinel;
 };
 
+/// What a pass keeps for each of the renderers that it serves.
+///
+/// @tparam State  made from renderer and window, with their PassContext as `Context`, and methods Release()
+/// and GetMemorySize()
+template <class State>
+class RendererStates
+{
+public:
+  /// The renderer's; made anew when there is none or it has come into another window. Drops those of
+  /// renderers that are gone.
+  State& get(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+  {
+    for (auto entry = this->states.begin(); entry != this->states.end();)
+    {
+      entry = entry->second->Context.getRenderer() == nullptr ? this->states.erase(entry) : std::next(entry);
+    }
+    std::unique_ptr<State>& state = this->states[renderer];
+    if (state == nullptr || state->Context.getWindow() != window)
+    {
+      state = std::make_unique<State>(renderer, window);
+    }
+    return *state;
+  }
+
+  void release(vtkWindow* window)
+  {
+    for (auto& entry : this->states)
+    {
+      if (entry.second->Context.getWindow() == window)
+      {
+        entry.second->Release();
+      }
+    }
+  }
+
+  /// Bytes of all.
+  std::size_t getMemorySize() const
+  {
+    std::size_t bytes = 0;
+    for (const auto& entry : this->states)
+    {
+      bytes += entry.second->GetMemorySize();
+    }
+    return bytes;
+  }
+
+private:
+  std::map<vtkOpenGLRenderer*, std::unique_ptr<State>> states;
+};
+
 /// The matrices and the viewport that VTK is about to draw with.
 View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
 
@@ -67,7 +122,17 @@ struct ScenePasses
   vtkNew<vtkVolumetricPass> volumetric;
   vtkNew<vtkOverlayPass> overlay;
 
+  /// Does what comes before a pass draws the scene: for a renderer's own pass has the camera pass set
+  /// viewport and background and call back, and leaves picking to the selector, which draws all props itself.
+  /// @param rendered  props that were drawn
+  /// @return true when nothing is left to do
+  bool renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
+                     int& rendered);
+
   void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool insideCameraPass = false;
 };
 
 /// Props that something has been switched off for. They are not kept alive.

@@ -1,7 +1,6 @@
 #include "ShadowPassInternals.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include <vtkOpenGLState.h>
 
@@ -85,17 +84,9 @@ void vtkShadowVolumePass::vtkInternals::RendererState::ChooseEffect(shadow::Silh
 vtkShadowVolumePass::vtkInternals::RendererState&
 vtkShadowVolumePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
 {
-  for (auto entry = this->Renderers.begin(); entry != this->Renderers.end();)
-  {
-    entry = entry->second->Context.getRenderer() == nullptr ? this->Renderers.erase(entry) : std::next(entry);
-  }
-  std::unique_ptr<RendererState>& state = this->Renderers[renderer];
-  if (state == nullptr || state->Context.getWindow() != window)
-  {
-    state = std::make_unique<RendererState>(renderer, window);
-  }
-  state->Acquire();
-  return *state;
+  RendererState& state = this->Renderers.get(renderer, window);
+  state.Acquire();
+  return state;
 }
 
 //------------------------------------------------------------------------------
@@ -238,13 +229,7 @@ const shadow::ShadowVolumeEffect::Statistics& vtkShadowVolumePass::vtkInternals:
 //------------------------------------------------------------------------------
 void vtkShadowVolumePass::vtkInternals::Release(vtkWindow* window)
 {
-  for (auto& entry : this->Renderers)
-  {
-    if (entry.second->Context.getWindow() == window)
-    {
-      entry.second->Release();
-    }
-  }
+  this->Renderers.release(window);
   this->Passes.ReleaseGraphicsResources(window);
 }
 

@@ -1,6 +1,7 @@
 #ifndef ShadowPassInternals_h
 #define ShadowPassInternals_h
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <set>
@@ -47,6 +48,10 @@ public:
     /// @post the context is current, and GL objects of a context that is gone are forgotten
     void Acquire();
     void Release();
+    std::size_t GetMemorySize() const
+    {
+      return this->Builder.getMemorySize() + this->Effect->getGraphicsMemorySize();
+    }
   };
 
   /// Brings the scene graph up to date and renders the shadow mask. @return false when there can be no
@@ -65,11 +70,10 @@ public:
 
   shadow::ScenePasses Passes;
   shadow::PropExclusions NotCasting;
-  bool InsideCameraPass = false;
 
   shadow::LightingHook Hook;
   vtkTimeStamp ShaderTime; ///< when the text put into VTK's shaders changed last
-  std::map<vtkOpenGLRenderer*, std::unique_ptr<RendererState>> Renderers;
+  shadow::RendererStates<RendererState> Renderers;
   RendererState* Current = nullptr; ///< of the last rendering
 
   int Status = STATUS_NOT_RENDERED;

@@ -1,7 +1,5 @@
 #include "SilhouettePassInternals.h"
 
-#include <iterator>
-
 #include "Stopwatch.h"
 
 //------------------------------------------------------------------------------
@@ -9,18 +7,10 @@ vtkSilhouettePass::vtkInternals::RendererState&
 vtkSilhouettePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
 {
   this->Current = nullptr;
-  for (auto entry = this->Renderers.begin(); entry != this->Renderers.end();)
-  {
-    entry = entry->second->Context.getRenderer() == nullptr ? this->Renderers.erase(entry) : std::next(entry);
-  }
-  std::unique_ptr<RendererState>& state = this->Renderers[renderer];
-  if (state == nullptr || state->Context.getWindow() != window)
-  {
-    state = std::make_unique<RendererState>(renderer, window);
-  }
-  state->Context.acquire([&state] { state->Effect.release(true); });
-  this->Current = state.get();
-  return *state;
+  RendererState& state = this->Renderers.get(renderer, window);
+  state.Context.acquire([&state] { state.Effect.release(true); });
+  this->Current = &state;
+  return state;
 }
 
 //------------------------------------------------------------------------------

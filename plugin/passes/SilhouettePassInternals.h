@@ -1,8 +1,7 @@
 #ifndef SilhouettePassInternals_h
 #define SilhouettePassInternals_h
 
-#include <map>
-#include <memory>
+#include <cstddef>
 #include <set>
 #include <string>
 
@@ -31,6 +30,10 @@ public:
     {
       this->Context.release([this](bool contextLost) { this->Effect.release(contextLost); });
     }
+    std::size_t GetMemorySize() const
+    {
+      return this->Builder.getMemorySize() + this->Effect.getGraphicsMemorySize();
+    }
   };
 
   /// @post its context is current
@@ -48,8 +51,7 @@ public:
   vtkSmartPointer<vtkRenderPass> Delegate;
   shadow::ScenePasses Passes;
   shadow::PropExclusions NotOutlined;
-  bool InsideCameraPass = false;
-  std::map<vtkOpenGLRenderer*, std::unique_ptr<RendererState>> Renderers;
+  shadow::RendererStates<RendererState> Renderers;
   RendererState* Current = nullptr; ///< of the last rendering
   int Status = STATUS_NOT_RENDERED;
   std::string Message;

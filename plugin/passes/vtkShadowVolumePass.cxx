@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <vtkCameraPass.h>
-#include <vtkHardwareSelector.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -55,20 +54,8 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
     vtkErrorMacro("needs a renderer in an OpenGL render window.");
     return;
   }
-  if (renderer->GetPass() == this && !this->Internals->InsideCameraPass)
+  if (this->Internals->Passes.renderInstead(this, renderer, s, this->NumberOfRenderedProps))
   {
-    // A complete pass: the camera pass sets viewport and background, then calls back.
-    this->Internals->InsideCameraPass = true;
-    this->Internals->Passes.camera->SetDelegatePass(this);
-    this->Internals->Passes.camera->Render(s);
-    this->Internals->Passes.camera->SetDelegatePass(nullptr);
-    this->Internals->InsideCameraPass = false;
-    return;
-  }
-  if (vtkHardwareSelector* selector = renderer->GetSelector())
-  {
-    // Picking knows no passes: the selector draws all props itself, in its own colours.
-    this->NumberOfRenderedProps = selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
     return;
   }
 

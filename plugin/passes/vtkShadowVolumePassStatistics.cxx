@@ -143,10 +143,5 @@ double vtkShadowVolumePass::GetLightingMilliseconds() const
 //------------------------------------------------------------------------------
 vtkIdType vtkShadowVolumePass::GetMemorySize() const
 {
-  std::size_t bytes = 0;
-  for (const auto& entry : this->Internals->Renderers)
-  {
-    bytes += entry.second->Builder.getMemorySize() + entry.second->Effect->getGraphicsMemorySize();
-  }
-  return static_cast<vtkIdType>(bytes);
+  return static_cast<vtkIdType>(this->Internals->Renderers.getMemorySize());
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <vtkHardwareSelector.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkProp.h>
@@ -78,20 +77,8 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
     return;
   }
   vtkInternals& internals = *this->Internals;
-  if (renderer->GetPass() == this && !internals.InsideCameraPass)
+  if (internals.Passes.renderInstead(this, renderer, s, this->NumberOfRenderedProps))
   {
-    // A complete pass: the camera pass sets viewport and background, then calls back.
-    internals.InsideCameraPass = true;
-    internals.Passes.camera->SetDelegatePass(this);
-    internals.Passes.camera->Render(s);
-    internals.Passes.camera->SetDelegatePass(nullptr);
-    internals.InsideCameraPass = false;
-    return;
-  }
-  if (vtkHardwareSelector* selector = renderer->GetSelector())
-  {
-    // Picking knows no passes: the selector draws all props itself, in its own colours.
-    this->NumberOfRenderedProps = selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
     return;
   }
   const bool ownScene = !this->LinesOnly && internals.Delegate == nullptr;
@@ -141,13 +128,7 @@ void vtkSilhouettePass::RenderPart(vtkRenderPass* pass, const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkSilhouettePass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto& entry : this->Internals->Renderers)
-  {
-    if (entry.second->Context.getWindow() == window)
-    {
-      entry.second->Release();
-    }
-  }
+  this->Internals->Renderers.release(window);
   this->Internals->Passes.ReleaseGraphicsResources(window);
   if (this->Internals->Delegate != nullptr)
   {

@@ -8,7 +8,7 @@
 #include <vtkCamera.h>
 #include <vtkOBJReader.h>
 
-#include "MeshFolder.h"
+#include "MeshFiles.h"
 #include "OutlineScene.h"
 
 namespace shadow::truth
@@ -28,7 +28,7 @@ using MeshView = std::tuple<std::string, Projection>; // file
 std::string nameOf(const testing::TestParamInfo<MeshView>& info)
 {
   const auto& [file, projection] = info.param;
-  return toTestName(file) + (projection == Projection::Parallel ? "_Parallel" : "_Perspective");
+  return test::toTestName(file) + (projection == Projection::Parallel ? "_Parallel" : "_Perspective");
 }
 
 } // namespace
@@ -77,7 +77,7 @@ TEST_P(MeshOutline, Creases_LinesAreTrue)
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshOutline,
-                         testing::Combine(testing::ValuesIn(findMeshes(SHADOW_MODELS)),
+                         testing::Combine(testing::ValuesIn(test::findMeshFiles(SHADOW_MODELS)),
                                           testing::Values(Projection::Perspective, Projection::Parallel)),
                          nameOf);
 

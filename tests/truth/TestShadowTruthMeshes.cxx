@@ -8,7 +8,7 @@
 #include <vtkOBJReader.h>
 
 #include "ExpectTrueMask.h"
-#include "MeshFolder.h"
+#include "MeshFiles.h"
 
 namespace shadow::truth
 {
@@ -28,7 +28,7 @@ using MeshView = std::tuple<std::string, Size, LightKind>; // file, pixels, ligh
 std::string nameOf(const testing::TestParamInfo<MeshView>& info)
 {
   const auto& [file, size, light] = info.param;
-  return toTestName(file) + (light == LightKind::Point ? "_Point_" : "_Directional_") +
+  return test::toTestName(file) + (light == LightKind::Point ? "_Point_" : "_Directional_") +
          std::to_string(size[0]) + "x" + std::to_string(size[1]);
 }
 
@@ -74,7 +74,7 @@ TEST_P(MeshTruth, OnAFloor_EveryMethodIsRight)
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshTruth,
-                         testing::Combine(testing::ValuesIn(findMeshes(SHADOW_MODELS)),
+                         testing::Combine(testing::ValuesIn(test::findMeshFiles(SHADOW_MODELS)),
                                           testing::Values(Size{640, 480}, Size{1280, 720}),
                                           testing::Values(LightKind::Point, LightKind::Directional)),
                          nameOf);

@@ -1,11 +1,43 @@
 #include "GLInspection.h"
 
+#include <gtest/gtest.h>
+
+#include <vtkCameraPass.h>
+#include <vtkLightsPass.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkRenderState.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSequencePass.h>
 
 #include "OpenGL.h"
 
 namespace shadow::test
 {
+
+namespace
+{
+
+/// Notes the GL's state when it is its turn.
+class StateReader : public vtkRenderPass
+{
+public:
+  static StateReader* New();
+  vtkTypeMacro(StateReader, vtkRenderPass);
+  void Render(const vtkRenderState*) override
+  {
+    this->error = glGetError();
+    this->state = readGLState();
+  }
+
+  GLStateValues state;
+  GLenum error = GL_NO_ERROR;
+};
+vtkStandardNewMacro(StateReader);
+
+} // namespace
 
 GLStateValues readGLState()
 {
@@ -52,6 +84,33 @@ GLStateValues readGLState()
   glGetFloatv(GL_DEPTH_CLEAR_VALUE, clear);
   state["GL_DEPTH_CLEAR_VALUE"] = {static_cast<int>(1000.0f * clear[0])};
   return state;
+}
+
+void expectGLStateKept(vtkRenderer* renderer, vtkRenderPass* pass, const std::string& where)
+{
+  vtkNew<StateReader> before;
+  vtkNew<StateReader> after;
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(lights);
+  passes->AddItem(before);
+  passes->AddItem(pass);
+  passes->AddItem(after);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> cameraPass;
+  cameraPass->SetDelegatePass(sequence);
+  renderer->SetPass(cameraPass);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    renderer->GetRenderWindow()->Render();
+    ASSERT_GT(before->state.size(), 50u);
+    for (const auto& [name, value] : before->state)
+    {
+      EXPECT_EQ(after->state[name], value) << name << ", " << where << ", frame " << frame;
+    }
+    EXPECT_EQ(after->error, static_cast<GLenum>(GL_NO_ERROR));
+  }
 }
 
 std::map<std::string, int> countGLObjects(vtkRenderWindow* window)

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+class vtkRenderPass;
 class vtkRenderWindow;
+class vtkRenderer;
 
 namespace shadow::test
 {
@@ -14,6 +16,11 @@ using GLStateValues = std::map<std::string, std::vector<int>>;
 
 /// @pre  a context is current
 GLStateValues readGLState();
+
+/// Expects that a pass leaves the GL as it found it, in three renderings, below a camera and after the
+/// lights.
+/// @param where  for messages
+void expectGLStateKept(vtkRenderer* renderer, vtkRenderPass* pass, const std::string& where);
 
 /// Names in use in the window's context, by kind.
 std::map<std::string, int> countGLObjects(vtkRenderWindow* window);

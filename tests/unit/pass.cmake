@@ -13,7 +13,8 @@ if(VTKSHADOW_HEADLESS)
   # A scene in a headless window that the image tests use as well.
   add_library(shadow_ball_scene STATIC BallScene.cxx GLInspection.cxx)
   target_include_directories(shadow_ball_scene PUBLIC ${CMAKE_CURRENT_LIST_DIR})
-  target_link_libraries(shadow_ball_scene PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings)
+  target_link_libraries(shadow_ball_scene
+    PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings GTest::gtest)
 
   add_executable(test_pass
     test_gpu_silhouette.cxx

@@ -1,43 +1,17 @@
 // Outlines leave picking and the GL as they found them.
 
+#include <string>
+
 #include <gtest/gtest.h>
 
-#include <vtkCameraPass.h>
 #include <vtkHardwareSelector.h>
-#include <vtkLightsPass.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderPassCollection.h>
-#include <vtkRenderState.h>
 #include <vtkSelection.h>
-#include <vtkSequencePass.h>
 
 #include "GLInspection.h"
 #include "OpenGL.h"
 #include "OutlineBall.h"
 
 using namespace shadow::test;
-
-namespace
-{
-
-/// Notes the GL's state when it is its turn.
-class OutlineStateReader : public vtkRenderPass
-{
-public:
-  static OutlineStateReader* New();
-  vtkTypeMacro(OutlineStateReader, vtkRenderPass);
-  void Render(const vtkRenderState*) override
-  {
-    this->error = glGetError();
-    this->state = readGLState();
-  }
-
-  GLStateValues state;
-  GLenum error = GL_NO_ERROR;
-};
-vtkStandardNewMacro(OutlineStateReader);
-
-} // namespace
 
 TEST(OutlinePass, HardwareSelector_SameHitsWithAndWithoutPass)
 {
@@ -68,29 +42,7 @@ TEST(OutlinePass, GLState_AsFoundAfterEveryRendering)
     OutlineBall scene;
     scene.outlines->LinesOnlyOn();
     scene.outlines->SetTechnique(technique);
-    vtkNew<OutlineStateReader> before;
-    vtkNew<OutlineStateReader> after;
-    vtkNew<vtkLightsPass> lights;
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(lights);
-    passes->AddItem(before);
-    passes->AddItem(scene.outlines);
-    passes->AddItem(after);
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    vtkNew<vtkCameraPass> cameraPass;
-    cameraPass->SetDelegatePass(sequence);
-    scene.renderer->SetPass(cameraPass);
-    for (int frame = 0; frame < 3; ++frame)
-    {
-      scene.window->Render();
-      ASSERT_GT(before->state.size(), 50u);
-      for (const auto& [name, value] : before->state)
-      {
-        EXPECT_EQ(after->state[name], value) << name << ", technique " << technique << ", frame " << frame;
-      }
-      EXPECT_EQ(after->error, static_cast<GLenum>(GL_NO_ERROR));
-    }
+    expectGLStateKept(scene.renderer, scene.outlines, "technique " + std::to_string(technique));
   }
 }
 
