@@ -21,7 +21,7 @@ bool touchesLight(const SEDGeometry& geometry, std::uint32_t triangle, const glm
 FacingDecider::FacingDecider(const SEDGeometry& theGeometry, const glm::dvec4& theLightMC, InstructionSet set)
     : geometry(theGeometry), lightMC(theLightMC), light(scaleLight(theLightMC, theGeometry.getReach())),
       lightAsRounded(this->light.x, this->light.y, this->light.z, this->light.w),
-      lightInUnits(toUnits(this->light)), comparePlanes(getPlaneKernel(set))
+      lightInUnits(toUnits(this->light)), kernel(getPlaneKernel(set))
 {
   const glm::dvec3 rounded{glm::vec3(theLightMC)};
   this->mayTouch = theLightMC.w != 0.0 &&
@@ -31,39 +31,50 @@ FacingDecider::FacingDecider(const SEDGeometry& theGeometry, const glm::dvec4& t
 
 void FacingDecider::decide(std::size_t firstWord, std::size_t endWord, LightFacing& facing) const
 {
+  std::uint64_t* towards = facing.towards.data();
+  std::uint64_t* away = facing.away.data();
+  this->kernel.compareBlocks(this->geometry.getPlaneBlocks().data() + firstWord, endWord - firstWord,
+                             this->lightInUnits, towards + firstWord, away + firstWord);
   std::vector<std::uint32_t> doubtful;
-  this->compare(firstWord, endWord, facing, doubtful);
+  for (std::size_t word = firstWord; word < endWord; ++word)
+  {
+    this->decideOpen(word, ~(towards[word] | away[word]), facing, doubtful);
+  }
   this->resolve(doubtful, facing);
 }
 
-void FacingDecider::compare(std::size_t firstWord, std::size_t endWord, LightFacing& facing,
+void FacingDecider::compare(std::size_t word, unsigned int quarters, LightFacing& facing,
                             std::vector<std::uint32_t>& doubtful) const
 {
-  const std::vector<PlaneBlock>& blocks = this->geometry.getPlaneBlocks();
-  std::uint64_t* towards = facing.towards.data();
-  std::uint64_t* away = facing.away.data();
-  this->comparePlanes(blocks.data() + firstWord, endWord - firstWord, this->lightInUnits, towards + firstWord,
-                      away + firstWord);
+  std::uint64_t& towards = facing.towards.data()[word];
+  std::uint64_t& away = facing.away.data()[word];
+  this->kernel.compareQuarters(this->geometry.getPlaneBlocks()[word], quarters, this->lightInUnits, towards,
+                               away);
+  // What is not in these quarters has one of its bits, or is beyond the end.
+  this->decideOpen(word, ~(towards | away), facing, doubtful);
+}
+
+/// Decides triangles of a word that have neither bit, by a finer comparison of their planes.
+void FacingDecider::decideOpen(std::size_t word, std::uint64_t open, LightFacing& facing,
+                               std::vector<std::uint32_t>& doubtful) const
+{
   const std::size_t triangles = this->geometry.getTriangles().size();
-  for (std::size_t word = firstWord; word < endWord; ++word)
+  if (triangles - 64 * word < 64)
   {
-    std::uint64_t open = ~(towards[word] | away[word]);
-    if (triangles - 64 * word < 64)
+    open &= (std::uint64_t{1} << (triangles - 64 * word)) - 1;
+  }
+  for (; open != 0; open &= open - 1)
+  {
+    const std::size_t bit = findLowestBit(open);
+    const double value = glm::dot(this->geometry.getPlaneBlocks()[word].get(bit), this->lightAsRounded);
+    if (std::abs(value) > this->light.bound)
     {
-      open &= (std::uint64_t{1} << (triangles - 64 * word)) - 1;
+      FacingBits& side = value > 0.0 ? facing.towards : facing.away;
+      side.data()[word] |= std::uint64_t{1} << bit;
     }
-    for (; open != 0; open &= open - 1)
+    else
     {
-      const std::size_t bit = findLowestBit(open);
-      const double value = glm::dot(blocks[word].get(bit), this->lightAsRounded);
-      if (std::abs(value) > this->light.bound)
-      {
-        (value > 0.0 ? towards : away)[word] |= std::uint64_t{1} << bit;
-      }
-      else
-      {
-        doubtful.push_back(static_cast<std::uint32_t>(64 * word + bit));
-      }
+      doubtful.push_back(static_cast<std::uint32_t>(64 * word + bit));
     }
   }
 }

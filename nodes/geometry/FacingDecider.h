@@ -38,11 +38,15 @@ public:
   /// plane
   void decide(std::size_t firstWord, std::size_t endWord, LightFacing& facing) const;
 
-  /// @name  decide() in two steps, for words here and there
+  /// @name  decide() in two steps, for quarters of words here and there
   /// @{
 
-  /// The same but for triangles that the rounded planes cannot tell, which are appended to @p doubtful.
-  void compare(std::size_t firstWord, std::size_t endWord, LightFacing& facing,
+  /// Bit q of @p quarters stands for the triangles from 16 q on of a word.
+  ///
+  /// @pre   the bits of these triangles are clear
+  /// @post  they are set, but for triangles that the rounded planes cannot tell, which are appended to
+  /// @p doubtful
+  void compare(std::size_t word, unsigned int quarters, LightFacing& facing,
                std::vector<std::uint32_t>& doubtful) const;
 
   /// Decides these triangles, from their corners.
@@ -51,6 +55,8 @@ public:
   /// @}
 
 private:
+  void decideOpen(std::size_t word, std::uint64_t open, LightFacing& facing,
+                  std::vector<std::uint32_t>& doubtful) const;
   int findSign(std::uint32_t triangle) const;
 
   const SEDGeometry& geometry;
@@ -58,7 +64,7 @@ private:
   ScaledLight light;
   glm::dvec4 lightAsRounded; ///< the same, for double precision
   LightInUnits lightInUnits;
-  PlaneKernel comparePlanes;
+  PlaneKernel kernel;
   bool mayTouch = false; ///< a vertex may be where the light is
 };
 

@@ -20,16 +20,19 @@ namespace shadow
 /// So few digits leave more triangles to be decided from their corners, a few in a hundred thousand of a
 /// smooth mesh. But deciding the others takes no longer than reading their planes: half the bytes are half
 /// the time.
-struct PlaneBlock
+///
+/// The planes of a quarter, 16 triangles, fill two cache lines.
+struct alignas(64) PlaneBlock
 {
   static constexpr std::size_t triangles = 64;
+  static constexpr std::size_t quarter = 16; ///< triangles
   static constexpr double unitsInOne = 32767.0;
 
-  /// Where the plane of a triangle stands: such that comparing vectors of eight and packing the results, as
-  /// x86 does within halves of vectors, gives 32 bits in their order.
+  /// Where the plane of a triangle stands: in its quarter, and there such that comparing vectors of eight and
+  /// packing the results, as x86 does within halves of vectors, gives 16 bits in their order.
   static constexpr std::size_t slotOf(std::size_t bit)
   {
-    return 32 * (bit / 32) + 8 * (bit % 16 / 4) + 4 * (bit % 32 / 16) + bit % 4;
+    return quarter * (bit / quarter) + 8 * (bit % 8 / 4) + 4 * (bit % quarter / 8) + bit % 4;
   }
 
   /// Rounds a plane to whole units. @pre the normal has unit length, |distance| <= 1
@@ -42,13 +45,14 @@ struct PlaneBlock
     this->zOffset[slot] = {toUnits(normal.z), toUnits(distance)};
   }
 
-  /// The plane as it was rounded: normal and offset.
-  glm::dvec4 get(std::size_t bit) const
+  /// The plane as it was rounded: normal and offset, in units.
+  glm::ivec4 getUnits(std::size_t bit) const
   {
     const std::size_t slot = slotOf(bit);
-    return glm::dvec4(this->xy[slot][0], this->xy[slot][1], this->zOffset[slot][0], this->zOffset[slot][1]) /
-           unitsInOne;
+    return {this->xy[slot][0], this->xy[slot][1], this->zOffset[slot][0], this->zOffset[slot][1]};
   }
+
+  glm::dvec4 get(std::size_t bit) const { return glm::dvec4(this->getUnits(bit)) / unitsInOne; }
 
   using Pair = std::array<std::int16_t, 2>;
   std::array<Pair, triangles> xy{};

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "FacingBits.h"
+
 // Vectors of GCC and Clang.
 #ifdef __GNUC__
 #define SHADOW_HAS_VECTORS
@@ -17,25 +19,18 @@ namespace shadow
 namespace
 {
 
-void compareScalar(const PlaneBlock* blocks, std::size_t count, const LightInUnits& light,
-                   std::uint64_t* towards, std::uint64_t* away)
+/// Of the 16 triangles of a quarter: the bits of those above the bound, and, 16 bits higher, of those below.
+std::uint32_t compareScalar(const PlaneBlock& block, std::size_t quarter, const LightInUnits& light)
 {
-  for (std::size_t index = 0; index < count; ++index)
+  std::uint32_t bits = 0;
+  for (std::size_t triangle = 0; triangle < PlaneBlock::quarter; ++triangle)
   {
-    const PlaneBlock& block = blocks[index];
-    std::uint64_t above = 0;
-    std::uint64_t below = 0;
-    for (std::size_t bit = 0; bit < PlaneBlock::triangles; ++bit)
-    {
-      const std::size_t slot = PlaneBlock::slotOf(bit);
-      const std::int32_t value = block.xy[slot][0] * light.x + block.xy[slot][1] * light.y +
-                                 block.zOffset[slot][0] * light.z + block.zOffset[slot][1] * light.w;
-      above |= std::uint64_t{value > light.bound} << bit;
-      below |= std::uint64_t{value < -light.bound} << bit;
-    }
-    towards[index] = above;
-    away[index] = below;
+    const glm::ivec4 plane = block.getUnits(PlaneBlock::quarter * quarter + triangle);
+    const std::int32_t value = plane.x * light.x + plane.y * light.y + plane.z * light.z + plane.w * light.w;
+    bits |= std::uint32_t{value > light.bound} << triangle;
+    bits |= std::uint32_t{value < -light.bound} << (PlaneBlock::quarter + triangle);
   }
+  return bits;
 }
 
 #ifdef SHADOW_HAS_VECTORS
@@ -57,50 +52,80 @@ void addProducts(const PlaneBlock::Pair* pairs, std::int32_t first, std::int32_t
 #endif
 }
 
-/// The bits of 32 triangles from their lanes, where bit 4 i of lane l belongs to slot 8 i + l.
+/// The bits of 16 triangles from their lanes, where bit 4 i of lane l belongs to slot 8 i + l.
 std::uint32_t gatherBits(const Eight& lanes)
 {
   std::uint32_t bits = 0;
   for (unsigned int lane = 0; lane < 8; ++lane)
   {
-    bits |= static_cast<std::uint32_t>(lanes[lane]) << (lane % 4 + 16 * (lane / 4));
+    bits |= static_cast<std::uint32_t>(lanes[lane]) << (lane % 4 + 8 * (lane / 4));
   }
   return bits;
 }
 
-void compareVectors(const PlaneBlock* blocks, std::size_t count, const LightInUnits& light,
-                    std::uint64_t* towards, std::uint64_t* away)
+/// As compareScalar().
+std::uint32_t compareVectors(const PlaneBlock& block, std::size_t quarter, const LightInUnits& light)
 {
-  for (std::size_t index = 0; index < count; ++index)
+  Eight above{};
+  Eight below{};
+  for (std::size_t group = 0; group < 2; ++group)
   {
-    std::uint64_t bits[2] = {0, 0};
-    for (std::size_t half = 0; half < 2; ++half)
-    {
-      Eight above{};
-      Eight below{};
-      for (std::size_t group = 0; group < 4; ++group)
-      {
-        const std::size_t slot = 32 * half + 8 * group;
-        Eight values{};
-        addProducts(&blocks[index].xy[slot], light.x, light.y, values);
-        addProducts(&blocks[index].zOffset[slot], light.z, light.w, values);
-        // A comparison gives -1 or 0 a lane.
-        above |= (values > light.bound) & (1 << 4 * group);
-        below |= (values < -light.bound) & (1 << 4 * group);
-      }
-      bits[0] |= std::uint64_t{gatherBits(above)} << 32 * half;
-      bits[1] |= std::uint64_t{gatherBits(below)} << 32 * half;
-    }
-    towards[index] = bits[0];
-    away[index] = bits[1];
+    const std::size_t slot = PlaneBlock::quarter * quarter + 8 * group;
+    Eight values{};
+    addProducts(&block.xy[slot], light.x, light.y, values);
+    addProducts(&block.zOffset[slot], light.z, light.w, values);
+    // A comparison gives -1 or 0 a lane.
+    above |= (values > light.bound) & (1 << 4 * group);
+    below |= (values < -light.bound) & (1 << 4 * group);
   }
+  return gatherBits(above) | gatherBits(below) << PlaneBlock::quarter;
 }
 
 #endif
 
+/// PlaneKernel from a function for one quarter.
+template <auto compareQuarter>
+struct FromQuarters
+{
+  static void compareBlocks(const PlaneBlock* blocks, std::size_t count, const LightInUnits& light,
+                            std::uint64_t* towards, std::uint64_t* away)
+  {
+    for (std::size_t index = 0; index < count; ++index)
+    {
+      towards[index] = 0;
+      away[index] = 0;
+      compareQuarters(blocks[index], 0xf, light, towards[index], away[index]);
+    }
+  }
+
+  static void compareQuarters(const PlaneBlock& block, unsigned int quarters, const LightInUnits& light,
+                              std::uint64_t& towards, std::uint64_t& away)
+  {
+    for (std::size_t quarter = 0; quarter < PlaneBlock::triangles / PlaneBlock::quarter; ++quarter)
+    {
+      if ((quarters >> quarter & 1u) != 0)
+      {
+        const std::uint32_t bits = compareQuarter(block, quarter, light);
+        towards |= std::uint64_t{bits & 0xffffu} << (PlaneBlock::quarter * quarter);
+        away |= std::uint64_t{bits >> PlaneBlock::quarter} << (PlaneBlock::quarter * quarter);
+      }
+    }
+  }
+
+  static constexpr PlaneKernel kernel = {compareBlocks, compareQuarters};
+};
+
 #ifdef SHADOW_HAS_AVX2
 
-/// Two coordinates of the light, in all lanes.
+/// A light in all lanes.
+struct LightLanes
+{
+  __m256i xy;
+  __m256i zw;
+  __m256i bound;
+  __m256i negativeBound;
+};
+
 __attribute__((target("avx2"), always_inline)) inline __m256i spreadPair(std::int16_t first,
                                                                          std::int16_t second)
 {
@@ -110,44 +135,72 @@ __attribute__((target("avx2"), always_inline)) inline __m256i spreadPair(std::in
   return _mm256_set1_epi32(lane);
 }
 
-/// One bit a vector's lane, those of four vectors in the order of PlaneBlock::slotOf().
-__attribute__((target("avx2"), always_inline)) inline std::uint64_t packBits(const __m256i (&lanes)[4])
+__attribute__((target("avx2"), always_inline)) inline LightLanes spreadLight(const LightInUnits& light)
 {
-  const __m256i bytes =
-      _mm256_packs_epi16(_mm256_packs_epi32(lanes[0], lanes[1]), _mm256_packs_epi32(lanes[2], lanes[3]));
-  return static_cast<std::uint32_t>(_mm256_movemask_epi8(bytes));
+  return {spreadPair(light.x, light.y), spreadPair(light.z, light.w), _mm256_set1_epi32(light.bound),
+          _mm256_set1_epi32(-light.bound)};
 }
 
-__attribute__((target("avx2"))) void compareAvx2(const PlaneBlock* blocks, std::size_t count,
-                                                 const LightInUnits& light, std::uint64_t* towards,
-                                                 std::uint64_t* away)
+/// Compares the 16 triangles of a quarter: -1 a lane in @p above or @p below.
+__attribute__((target("avx2"), always_inline)) inline void compareLanes(const PlaneBlock& block,
+                                                                        std::size_t quarter,
+                                                                        const LightLanes& light,
+                                                                        __m256i* above, __m256i* below)
 {
-  const __m256i xy = spreadPair(light.x, light.y);
-  const __m256i zw = spreadPair(light.z, light.w);
-  const __m256i bound = _mm256_set1_epi32(light.bound);
-  const __m256i negativeBound = _mm256_set1_epi32(-light.bound);
+  const auto* xy = reinterpret_cast<const __m256i*>(&block.xy[PlaneBlock::quarter * quarter]);
+  const auto* zOffset = reinterpret_cast<const __m256i*>(&block.zOffset[PlaneBlock::quarter * quarter]);
+  for (std::size_t group = 0; group < 2; ++group)
+  {
+    const __m256i value = _mm256_add_epi32(_mm256_madd_epi16(_mm256_load_si256(xy + group), light.xy),
+                                           _mm256_madd_epi16(_mm256_load_si256(zOffset + group), light.zw));
+    above[group] = _mm256_cmpgt_epi32(value, light.bound);
+    below[group] = _mm256_cmpgt_epi32(light.negativeBound, value);
+  }
+}
+
+/// The bits of two times 16 triangles from their lanes.
+__attribute__((target("avx2"), always_inline)) inline std::uint64_t packBits(const __m256i* first,
+                                                                             const __m256i* second)
+{
+  // Packing works within halves of vectors: four parts come out as 0, 2, 1, 3.
+  const __m256i bytes =
+      _mm256_packs_epi16(_mm256_packs_epi32(first[0], first[1]), _mm256_packs_epi32(second[0], second[1]));
+  return static_cast<std::uint32_t>(
+      _mm256_movemask_epi8(_mm256_permute4x64_epi64(bytes, _MM_SHUFFLE(3, 1, 2, 0))));
+}
+
+__attribute__((target("avx2"))) void compareBlocksAvx2(const PlaneBlock* blocks, std::size_t count,
+                                                       const LightInUnits& light, std::uint64_t* towards,
+                                                       std::uint64_t* away)
+{
+  const LightLanes lanes = spreadLight(light);
   for (std::size_t index = 0; index < count; ++index)
   {
-    std::uint64_t aboveBits[2];
-    std::uint64_t belowBits[2];
-    for (std::size_t half = 0; half < 2; ++half)
+    __m256i above[8];
+    __m256i below[8];
+    for (std::size_t quarter = 0; quarter < 4; ++quarter)
     {
-      const auto* pairs = reinterpret_cast<const __m256i*>(&blocks[index].xy[32 * half]);
-      const auto* otherPairs = reinterpret_cast<const __m256i*>(&blocks[index].zOffset[32 * half]);
-      __m256i above[4];
-      __m256i below[4];
-      for (std::size_t group = 0; group < 4; ++group)
-      {
-        const __m256i value = _mm256_add_epi32(_mm256_madd_epi16(_mm256_loadu_si256(pairs + group), xy),
-                                               _mm256_madd_epi16(_mm256_loadu_si256(otherPairs + group), zw));
-        above[group] = _mm256_cmpgt_epi32(value, bound);
-        below[group] = _mm256_cmpgt_epi32(negativeBound, value);
-      }
-      aboveBits[half] = packBits(above);
-      belowBits[half] = packBits(below);
+      compareLanes(blocks[index], quarter, lanes, above + 2 * quarter, below + 2 * quarter);
     }
-    towards[index] = aboveBits[0] | aboveBits[1] << 32;
-    away[index] = belowBits[0] | belowBits[1] << 32;
+    towards[index] = packBits(above, above + 2) | packBits(above + 4, above + 6) << 32;
+    away[index] = packBits(below, below + 2) | packBits(below + 4, below + 6) << 32;
+  }
+}
+
+__attribute__((target("avx2"))) void compareQuartersAvx2(const PlaneBlock& block, unsigned int quarters,
+                                                         const LightInUnits& light, std::uint64_t& towards,
+                                                         std::uint64_t& away)
+{
+  const LightLanes lanes = spreadLight(light);
+  for (; quarters != 0; quarters &= quarters - 1)
+  {
+    const std::size_t quarter = findLowestBit(quarters);
+    __m256i above[2];
+    __m256i below[2];
+    compareLanes(block, quarter, lanes, above, below);
+    const std::uint64_t bits = packBits(above, below);
+    towards |= (bits & 0xffffu) << PlaneBlock::quarter * quarter;
+    away |= (bits >> PlaneBlock::quarter) << PlaneBlock::quarter * quarter;
   }
 }
 
@@ -181,17 +234,17 @@ PlaneKernel getPlaneKernel(InstructionSet set)
 #ifdef SHADOW_HAS_AVX2
   if (set == InstructionSet::Avx2)
   {
-    return compareAvx2;
+    return {compareBlocksAvx2, compareQuartersAvx2};
   }
 #endif
 #ifdef SHADOW_HAS_VECTORS
   if (set == InstructionSet::Vector)
   {
-    return compareVectors;
+    return FromQuarters<compareVectors>::kernel;
   }
 #endif
   static_cast<void>(set);
-  return compareScalar;
+  return FromQuarters<compareScalar>::kernel;
 }
 
 } // namespace shadow

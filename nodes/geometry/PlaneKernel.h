@@ -21,14 +21,23 @@ enum class InstructionSet
 /// Those that this processor and this build have, the slowest first.
 const std::vector<InstructionSet>& getInstructionSets();
 
-/// Compares the planes' values at a light with its bound.
+/// Compares planes' values at a light with its bound.
 ///
-/// @param towards,away  a word a block: bits of the triangles whose value is above bound, or below -bound.
-/// The
-///                      same for every instruction set
-/// @par Cost  reads 8 bytes a triangle
-using PlaneKernel = void (*)(const PlaneBlock* blocks, std::size_t count, const LightInUnits& light,
-                             std::uint64_t* towards, std::uint64_t* away);
+/// All instruction sets give the same.
+struct PlaneKernel
+{
+  /// Of whole blocks. Writes a word a block: bits of the triangles whose value is above bound, or below
+  /// -bound.
+  ///
+  /// @par Cost  reads 8 bytes a triangle
+  void (*compareBlocks)(const PlaneBlock* blocks, std::size_t count, const LightInUnits& light,
+                        std::uint64_t* towards, std::uint64_t* away);
+
+  /// Of chosen quarters of a block: bit q of @p quarters stands for the triangles from 16 q on. Sets bits in
+  /// words where those of these triangles are clear.
+  void (*compareQuarters)(const PlaneBlock& block, unsigned int quarters, const LightInUnits& light,
+                          std::uint64_t& towards, std::uint64_t& away);
+};
 
 PlaneKernel getPlaneKernel(InstructionSet set);
 

@@ -4,13 +4,15 @@
 #include <cstddef>
 #include <limits>
 
+#include "PlaneBlock.h"
+
 namespace shadow
 {
 
 namespace
 {
 
-constexpr std::size_t patchSize = 64;
+constexpr std::size_t patchSize = PlaneBlock::quarter;
 
 struct Item
 {

@@ -10,11 +10,11 @@ namespace shadow
 {
 
 /// Puts triangles that lie together next to each other: halves them by the coordinate in which they spread
-/// most, and so on down to patches of 64.
+/// most, and so on down to patches of 16.
 ///
-/// Then each word of FacingBits is a patch of the surface, as is each run of 2, 4, 8 ... words that starts
-/// at a multiple of its length; the facing bits of neighbours are close in memory, and a GL finds most
-/// vertices among those it has just transformed.
+/// Then each quarter of a word of FacingBits is a patch of the surface, as is each run of 2, 4, 8 ...
+/// quarters that starts at a multiple of its length; the facing bits of neighbours are close in memory, and a
+/// GL finds most vertices among those it has just transformed.
 ///
 /// @return  for each triangle the place where it stood
 /// @par Cost    O(triangles log(triangles)), 0.1 microseconds a triangle for a million; 28 bytes a triangle

@@ -84,7 +84,11 @@ inline void addSide(const SEDGeometry& geometry, std::uint32_t triangle, std::ui
     // Looked up, as which way an edge runs is nothing that a processor could foresee.
     const std::array<std::uint32_t, 2> ends = geometry.getSide(triangle, side);
     const std::size_t from = runs < 0 ? 1 : 0;
-    silhouette.push_back({ends[from], ends[1 - from], static_cast<std::uint32_t>(std::abs(runs))});
+    // Stored number by number: an edge that was put together in memory would have to wait for its parts.
+    SilhouetteEdge& edge = silhouette.emplace_back();
+    edge.from = ends[from];
+    edge.to = ends[1 - from];
+    edge.multiplicity = static_cast<std::uint32_t>(std::abs(runs));
   }
 }
 

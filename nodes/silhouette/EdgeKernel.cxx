@@ -24,40 +24,47 @@ bool isUniform(std::size_t word, const std::uint64_t* towards, const std::uint64
 }
 
 using Record = EdgeTable::Record;
-using Found = std::vector<DifferingEdge>;
 
-/// Appends the inner edges begin + i of a word for each bit i.
-void appendInner(const Record& record, std::uint64_t differing, std::size_t word, std::size_t begin,
-                 Found& found)
+// Each number of an edge found is stored by itself: one that was put together in memory and then copied as a
+// whole would have to wait for its parts.
+
+/// Writes the inner edges begin + i of a word for each bit i. @return  the place behind the last one
+DifferingEdge* writeInner(const Record& record, std::uint64_t differing, std::size_t word, std::size_t begin,
+                          DifferingEdge* found)
 {
   const auto base = static_cast<std::uint32_t>(64 * word);
-  for (; differing != 0; differing &= differing - 1)
+  for (; differing != 0; differing &= differing - 1, ++found)
   {
     const std::size_t edge = begin + findLowestBit(differing);
     const EdgeTable::Code code = record.innerFirst[edge];
-    found.push_back({base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code),
-                     base + EdgeTable::triangleOf(record.innerSecond[edge])});
+    found->first = base + EdgeTable::triangleOf(code);
+    found->side = EdgeTable::sideOf(code);
+    found->second = base + EdgeTable::triangleOf(record.innerSecond[edge]);
   }
+  return found;
 }
 
 /// The same for outer edges.
-void appendOuter(const Record& record, std::uint64_t differing, std::size_t word, std::size_t begin,
-                 Found& found)
+DifferingEdge* writeOuter(const Record& record, std::uint64_t differing, std::size_t word, std::size_t begin,
+                          DifferingEdge* found)
 {
   const auto base = static_cast<std::uint32_t>(64 * word);
-  for (; differing != 0; differing &= differing - 1)
+  for (; differing != 0; differing &= differing - 1, ++found)
   {
     const std::size_t edge = begin + findLowestBit(differing);
     const EdgeTable::Code code = record.outerFirst[edge];
-    found.push_back({base + EdgeTable::triangleOf(code), EdgeTable::sideOf(code), record.outerSecond[edge]});
+    found->first = base + EdgeTable::triangleOf(code);
+    found->side = EdgeTable::sideOf(code);
+    found->second = record.outerSecond[edge];
   }
+  return found;
 }
 
-/// @name  The edges of one word. For all instruction sets the same
+/// @name  The edges of one word, written from a place on. For all instruction sets the same
 /// @{
 
-void compareInnerScalar(const Record& record, std::size_t word, const std::uint64_t* towards,
-                        const std::uint64_t* away, Found& found)
+DifferingEdge* compareInnerScalar(const Record& record, std::size_t word, const std::uint64_t* towards,
+                                  const std::uint64_t* away, DifferingEdge* found)
 {
   const std::uint64_t up = towards[word];
   const std::uint64_t down = away != nullptr ? away[word] : 0;
@@ -72,12 +79,13 @@ void compareInnerScalar(const Record& record, std::size_t word, const std::uint6
       const std::uint64_t different = ((up >> first) ^ (up >> second)) | ((down >> first) ^ (down >> second));
       differing |= (different & 1u) << edge;
     }
-    appendInner(record, differing, word, begin, found);
+    found = writeInner(record, differing, word, begin, found);
   }
+  return found;
 }
 
-void compareOuterScalar(const Record& record, std::size_t word, const std::uint64_t* towards,
-                        const std::uint64_t* away, Found& found)
+DifferingEdge* compareOuterScalar(const Record& record, std::size_t word, const std::uint64_t* towards,
+                                  const std::uint64_t* away, DifferingEdge* found)
 {
   for (std::size_t begin = 0; begin < record.outer; begin += 64)
   {
@@ -94,11 +102,18 @@ void compareOuterScalar(const Record& record, std::size_t word, const std::uint6
       }
       differing |= (different & 1u) << edge;
     }
-    appendOuter(record, differing, word, begin, found);
+    found = writeOuter(record, differing, word, begin, found);
   }
+  return found;
 }
 
 #ifdef SHADOW_HAS_AVX2
+
+/// The lower bits of a word, so many; all of them when it has no more.
+std::uint64_t maskOf(std::size_t count)
+{
+  return count < 64 ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0};
+}
 
 /// For 32 codes: -1 where the bit of the triangle is 0.
 __attribute__((target("avx2"), always_inline)) inline __m256i findClear(__m256i codes, __m256i bits)
@@ -113,28 +128,39 @@ __attribute__((target("avx2"), always_inline)) inline __m256i findClear(__m256i 
       _mm256_setzero_si256());
 }
 
-/// 32 edges at a time, those read beyond the end of the word left out.
-SHADOW_TARGET_AVX2 inline void compareInnerAvx2(const Record& record, std::size_t word,
-                                                const std::uint64_t* towards, const std::uint64_t* away,
-                                                Found& found)
+/// Of 32 inner edges: a bit for each whose triangles differ.
+__attribute__((target("avx2"), always_inline)) inline std::uint64_t
+compareInner32(const Record& record, std::size_t begin, std::uint64_t towards, const std::uint64_t* away)
 {
-  const __m256i up = _mm256_set1_epi64x(static_cast<long long>(towards[word]));
-  for (std::size_t begin = 0; begin < record.inner; begin += 32)
+  const __m256i first = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerFirst + begin));
+  const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerSecond + begin));
+  const __m256i up = _mm256_set1_epi64x(static_cast<long long>(towards));
+  __m256i different = _mm256_xor_si256(findClear(first, up), findClear(second, up));
+  if (away != nullptr)
   {
-    const __m256i first = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerFirst + begin));
-    const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerSecond + begin));
-    __m256i different = _mm256_xor_si256(findClear(first, up), findClear(second, up));
-    if (away != nullptr)
-    {
-      const __m256i down = _mm256_set1_epi64x(static_cast<long long>(away[word]));
-      different =
-          _mm256_or_si256(different, _mm256_xor_si256(findClear(first, down), findClear(second, down)));
-    }
-    const std::size_t count = record.inner - begin;
-    const std::uint32_t wanted = count < 32 ? (1u << count) - 1 : ~0u;
-    appendInner(record, static_cast<std::uint32_t>(_mm256_movemask_epi8(different)) & wanted, word, begin,
-                found);
+    const __m256i down = _mm256_set1_epi64x(static_cast<long long>(*away));
+    different = _mm256_or_si256(different, _mm256_xor_si256(findClear(first, down), findClear(second, down)));
   }
+  return static_cast<std::uint32_t>(_mm256_movemask_epi8(different));
+}
+
+/// 32 edges at a time, those read beyond the end of the word left out.
+SHADOW_TARGET_AVX2 inline DifferingEdge* compareInnerAvx2(const Record& record, std::size_t word,
+                                                          const std::uint64_t* towards,
+                                                          const std::uint64_t* away, DifferingEdge* found)
+{
+  const std::uint64_t* down = away != nullptr ? away + word : nullptr;
+  for (std::size_t begin = 0; begin < record.inner; begin += 64)
+  {
+    std::uint64_t differing = compareInner32(record, begin, towards[word], down);
+    if (record.inner - begin > 32)
+    {
+      differing |= compareInner32(record, begin + 32, towards[word], down) << 32;
+    }
+    // Written 64 at a time: how often such a loop runs, no processor can foresee.
+    found = writeInner(record, differing & maskOf(record.inner - begin), word, begin, found);
+  }
+  return found;
 }
 
 /// For 8 outer edges of a word: the upper bit says that the triangles differ in their bits.
@@ -153,63 +179,69 @@ findDifferent(__m256i first, __m256i second, const std::uint64_t* bits, std::siz
 }
 
 /// 8 edges at a time, those read beyond the end of the word left out.
-SHADOW_TARGET_AVX2 inline void compareOuterAvx2(const Record& record, std::size_t word,
-                                                const std::uint64_t* towards, const std::uint64_t* away,
-                                                Found& found)
+SHADOW_TARGET_AVX2 inline DifferingEdge* compareOuterAvx2(const Record& record, std::size_t word,
+                                                          const std::uint64_t* towards,
+                                                          const std::uint64_t* away, DifferingEdge* found)
 {
-  for (std::size_t begin = 0; begin < record.outer; begin += 8)
+  for (std::size_t begin = 0; begin < record.outer; begin += 64)
   {
-    const __m128i codes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(record.outerFirst + begin));
-    const __m256i first = _mm256_and_si256(_mm256_cvtepu8_epi32(codes), _mm256_set1_epi32(63));
-    const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.outerSecond + begin));
-    const std::size_t count = record.outer - begin;
-    const std::uint32_t wanted = count < 8 ? (1u << count) - 1 : ~0u;
-    // What stands behind the last edge is no triangle: it must not be looked up.
-    const __m256i isEdge =
-        _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(std::min<std::size_t>(count, 8))),
-                           _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-    const __m256i known = _mm256_and_si256(second, isEdge);
-    __m256i different = findDifferent(first, known, towards, word);
-    if (away != nullptr)
+    std::uint64_t differing = 0;
+    for (std::size_t edge = begin; edge < std::min(begin + 64, record.outer); edge += 8)
     {
-      different = _mm256_or_si256(different, findDifferent(first, known, away, word));
+      const __m128i codes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(record.outerFirst + edge));
+      const __m256i first = _mm256_and_si256(_mm256_cvtepu8_epi32(codes), _mm256_set1_epi32(63));
+      const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.outerSecond + edge));
+      // What stands behind the last edge is no triangle: it must not be looked up.
+      const __m256i isEdge = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(record.outer - edge)),
+                                                _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+      const __m256i known = _mm256_and_si256(second, isEdge);
+      __m256i different = findDifferent(first, known, towards, word);
+      if (away != nullptr)
+      {
+        different = _mm256_or_si256(different, findDifferent(first, known, away, word));
+      }
+      const int upper = _mm256_movemask_ps(_mm256_castsi256_ps(different));
+      differing |= static_cast<std::uint64_t>(upper) << (edge - begin);
     }
-    const int upper = _mm256_movemask_ps(_mm256_castsi256_ps(different));
-    appendOuter(record, static_cast<std::uint32_t>(upper) & wanted, word, begin, found);
+    found = writeOuter(record, differing & maskOf(record.outer - begin), word, begin, found);
   }
+  return found;
 }
 
-SHADOW_TARGET_AVX2 void compareAllAvx2(const EdgeTable& table, const std::uint64_t* towards,
-                                       const std::uint64_t* away, std::size_t firstWord, std::size_t endWord,
-                                       Found& found)
+SHADOW_TARGET_AVX2 DifferingEdge* compareAllAvx2(const EdgeTable& table, const std::uint64_t* towards,
+                                                 const std::uint64_t* away, std::size_t firstWord,
+                                                 std::size_t endWord, DifferingEdge* found)
 {
   for (std::size_t word = firstWord; word < endWord; ++word)
   {
     const Record record = table.getRecord(word);
     if (!isUniform(word, towards, away))
     {
-      compareInnerAvx2(record, word, towards, away, found);
+      found = compareInnerAvx2(record, word, towards, away, found);
     }
-    compareOuterAvx2(record, word, towards, away, found);
+    found = compareOuterAvx2(record, word, towards, away, found);
   }
+  return found;
 }
 
 #endif
 
 /// @}
 
-void compareAllScalar(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
-                      std::size_t firstWord, std::size_t endWord, Found& found)
+DifferingEdge* compareAllScalar(const EdgeTable& table, const std::uint64_t* towards,
+                                const std::uint64_t* away, std::size_t firstWord, std::size_t endWord,
+                                DifferingEdge* found)
 {
   for (std::size_t word = firstWord; word < endWord; ++word)
   {
     const Record record = table.getRecord(word);
     if (!isUniform(word, towards, away))
     {
-      compareInnerScalar(record, word, towards, away, found);
+      found = compareInnerScalar(record, word, towards, away, found);
     }
-    compareOuterScalar(record, word, towards, away, found);
+    found = compareOuterScalar(record, word, towards, away, found);
   }
+  return found;
 }
 
 } // namespace

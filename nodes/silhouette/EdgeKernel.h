@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "EdgeTable.h"
 #include "PlaneKernel.h"
@@ -18,13 +17,16 @@ struct DifferingEdge
   std::uint32_t second; ///< triangle
 };
 
-/// Appends edges of the words [firstWord, endWord) whose triangles differ in one of the bits.
+/// Writes edges of the words [firstWord, endWord) whose triangles differ in one of the bits.
 ///
 /// @param towards,away  words of FacingBits; @p away may be null: only @p towards is compared then
+/// @param found         room for EdgeTable::mostOfWord edges a word
+/// @return              the place behind the last edge written
 /// @par Cost            reads 5 bytes and two bits an outer edge, and 2 bytes an inner one of words whose
 ///                      triangles are not all alike
-using EdgeKernel = void (*)(const EdgeTable& table, const std::uint64_t* towards, const std::uint64_t* away,
-                            std::size_t firstWord, std::size_t endWord, std::vector<DifferingEdge>& found);
+using EdgeKernel = DifferingEdge* (*)(const EdgeTable& table, const std::uint64_t* towards,
+                                      const std::uint64_t* away, std::size_t firstWord, std::size_t endWord,
+                                      DifferingEdge* found);
 
 EdgeKernel getEdgeKernel(InstructionSet set);
 

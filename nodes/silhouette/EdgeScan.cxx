@@ -1,6 +1,7 @@
 #include "EdgeScan.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "CastingTriangles.h"
 #include "EdgeKernel.h"
@@ -59,74 +60,101 @@ int EdgeScan::getSign(std::uint32_t triangle) const
   return getCastingSign(this->facing, this->casting, triangle);
 }
 
+/// Collects edges whose triangles differ, so that where these lie is fetched before it is read.
+class EdgeScan::Batch
+{
+public:
+  Batch(const EdgeScan& theScan, std::vector<SilhouetteEdge>& theSilhouette)
+      : scan(theScan), silhouette(theSilhouette), found(new DifferingEdge[room])
+  {
+  }
+
+  /// @param endWord  at most wordsAtOnce after @p firstWord
+  void add(std::size_t firstWord, std::size_t endWord)
+  {
+    DifferingEdge* const begin = this->found.get() + this->count;
+    DifferingEdge* const end = this->compareAll(this->scan.geometry.getEdgeTable(), this->scan.towards,
+                                                this->scan.away, firstWord, endWord, begin);
+    this->scan.prefetchSides(begin, end);
+    this->count += static_cast<std::size_t>(end - begin);
+    if (this->count >= enough)
+    {
+      this->finish();
+    }
+  }
+
+  /// Turns what was found into silhouette edges.
+  void finish()
+  {
+    this->scan.addSides(this->found.get(), this->found.get() + this->count, this->silhouette);
+    this->count = 0;
+  }
+
+  static constexpr std::size_t wordsAtOnce = 16;
+
+private:
+  static constexpr std::size_t enough = 256;
+  static constexpr std::size_t room = enough + wordsAtOnce * EdgeTable::mostOfWord;
+
+  const EdgeScan& scan;
+  std::vector<SilhouetteEdge>& silhouette;
+  const EdgeKernel compareAll = getEdgeKernel(getInstructionSets().back());
+  std::unique_ptr<DifferingEdge[]> found; ///< not set to anything: most of it is never needed
+  std::size_t count = 0;
+};
+
 void EdgeScan::addWords(std::size_t firstWord, std::size_t endWord,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
-  constexpr std::size_t atOnce = 256;
-  const EdgeKernel compareAll = getEdgeKernel(getInstructionSets().back());
-  const EdgeTable& table = this->geometry.getEdgeTable();
-  std::vector<DifferingEdge> differing;
-  for (std::size_t first = firstWord; first < endWord; first += atOnce)
+  Batch batch(*this, silhouette);
+  for (std::size_t first = firstWord; first < endWord; first += Batch::wordsAtOnce)
   {
-    const std::size_t end = std::min(first + atOnce, endWord);
-    compareAll(table, this->towards, this->away, first, end, differing);
-    this->prefetchSides(differing, 0);
-    this->moveDiffering(differing, silhouette);
+    batch.add(first, std::min(first + Batch::wordsAtOnce, endWord));
   }
+  batch.finish();
 }
 
 void EdgeScan::addWords(const std::vector<std::uint32_t>& words,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
-  constexpr std::size_t atOnce = 256;
-  const EdgeKernel compareAll = getEdgeKernel(getInstructionSets().back());
   const EdgeTable& table = this->geometry.getEdgeTable();
-  // About half of the words hold an edge, and these some five.
-  silhouette.reserve(silhouette.size() + 4 * words.size() + table.borders.size());
-  std::vector<DifferingEdge> differing;
+  // Nine of ten words hold an edge of a smooth silhouette, and these some five.
+  silhouette.reserve(silhouette.size() + 6 * words.size() + table.borders.size());
+  Batch batch(*this, silhouette);
   for (std::size_t index = 0; index < words.size(); ++index)
   {
-    const std::uint32_t word = words[index];
     if (index + farAhead < words.size())
     {
-      prefetch(&table.words[words[index + farAhead]], sizeof(EdgeTable::Word));
+      const std::uint32_t word = words[index + farAhead];
+      prefetch(&table.words[word], sizeof(EdgeTable::Word));
+      prefetch(&this->geometry.getReversed().getWords()[word], sizeof(std::uint64_t));
     }
     if (index + ahead < words.size())
     {
       prefetchEdges(table, words[index + ahead]);
     }
-    const std::size_t before = differing.size();
-    compareAll(table, this->towards, this->away, word, std::size_t{word} + 1, differing);
-    this->prefetchSides(differing, before);
-    if (differing.size() >= atOnce)
-    {
-      this->moveDiffering(differing, silhouette);
-    }
+    batch.add(words[index], std::size_t{words[index]} + 1);
   }
-  this->moveDiffering(differing, silhouette);
+  batch.finish();
 }
 
-/// Has the processor fetch what moveDiffering() will read, from a place in the list on.
-void EdgeScan::prefetchSides(const std::vector<DifferingEdge>& differing, std::size_t begin) const
+/// Has the processor fetch what addSides() will read of triangles.
+void EdgeScan::prefetchSides(const DifferingEdge* begin, const DifferingEdge* end) const
 {
-  for (std::size_t index = begin; index < differing.size(); ++index)
+  for (const DifferingEdge* edge = begin; edge != end; ++edge)
   {
-    const std::uint32_t triangle = differing[index].first;
-    prefetch(&this->geometry.getTriangles()[triangle], 1);
-    prefetch(&this->geometry.getReversed().getWords()[triangle >> 6], 1);
+    prefetch(&this->geometry.getTriangles()[edge->first], 1);
   }
 }
 
-/// Turns what was found into silhouette edges; the list is empty afterwards.
-void EdgeScan::moveDiffering(std::vector<DifferingEdge>& differing,
-                             std::vector<SilhouetteEdge>& silhouette) const
+void EdgeScan::addSides(const DifferingEdge* begin, const DifferingEdge* end,
+                        std::vector<SilhouetteEdge>& silhouette) const
 {
-  for (const DifferingEdge& edge : differing)
+  for (const DifferingEdge* edge = begin; edge != end; ++edge)
   {
-    addSide(this->geometry, edge.first, edge.side, this->getSign(edge.first) - this->getSign(edge.second),
+    addSide(this->geometry, edge->first, edge->side, this->getSign(edge->first) - this->getSign(edge->second),
             silhouette);
   }
-  differing.clear();
 }
 
 void EdgeScan::addBorders(std::vector<SilhouetteEdge>& silhouette) const

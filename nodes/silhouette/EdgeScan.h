@@ -32,9 +32,12 @@ public:
   void addBorders(std::vector<SilhouetteEdge>& silhouette) const;
 
 private:
+  class Batch;
+
   int getSign(std::uint32_t triangle) const;
-  void prefetchSides(const std::vector<DifferingEdge>& differing, std::size_t begin) const;
-  void moveDiffering(std::vector<DifferingEdge>& differing, std::vector<SilhouetteEdge>& silhouette) const;
+  void prefetchSides(const DifferingEdge* begin, const DifferingEdge* end) const;
+  void addSides(const DifferingEdge* begin, const DifferingEdge* end,
+                std::vector<SilhouetteEdge>& silhouette) const;
 
   const SEDGeometry& geometry;
   const LightFacing& facing;

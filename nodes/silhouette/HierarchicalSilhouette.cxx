@@ -10,6 +10,21 @@
 namespace shadow
 {
 
+namespace
+{
+
+void prefetchQuarters(const PlaneBlock& block, unsigned int quarters)
+{
+  for (; quarters != 0; quarters &= quarters - 1)
+  {
+    const std::size_t slot = PlaneBlock::quarter * findLowestBit(quarters);
+    prefetch(&block.xy[slot], PlaneBlock::quarter * sizeof(PlaneBlock::Pair));
+    prefetch(&block.zOffset[slot], PlaneBlock::quarter * sizeof(PlaneBlock::Pair));
+  }
+}
+
+} // namespace
+
 void HierarchicalSilhouette::face(const SEDGeometry& geometry, const glm::dvec4& lightMC,
                                   LightFacing& facing) const
 {
@@ -25,18 +40,20 @@ void HierarchicalSilhouette::face(const SEDGeometry& geometry, const glm::dvec4&
   {
     facing.mixedWords.emplace();
   }
-  std::vector<std::uint32_t>& mixed = *facing.mixedWords;
-  mixed.clear();
+  facing.mixedWords->clear();
+  std::vector<ClusterTree::Quarters> mixed;
   geometry.getClusterTree().classify(decider.getScaledLight(), facing.towards, facing.away, mixed);
-  constexpr std::size_t ahead = 8;
+  facing.mixedWords->reserve(mixed.size());
+  constexpr std::size_t ahead = 12;
   std::vector<std::uint32_t> doubtful;
   for (std::size_t index = 0; index < mixed.size(); ++index)
   {
     if (index + ahead < mixed.size())
     {
-      prefetch(&geometry.getPlaneBlocks()[mixed[index + ahead]], sizeof(PlaneBlock));
+      prefetchQuarters(geometry.getPlaneBlocks()[mixed[index + ahead].word], mixed[index + ahead].bits);
     }
-    decider.compare(mixed[index], std::size_t{mixed[index]} + 1, facing, doubtful);
+    decider.compare(mixed[index].word, mixed[index].bits, facing, doubtful);
+    facing.mixedWords->push_back(mixed[index].word);
   }
   decider.resolve(doubtful, facing);
 }

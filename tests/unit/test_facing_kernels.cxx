@@ -69,9 +69,20 @@ TEST(InstructionSets, RandomPlanes_GiveTheSameWords)
       {
         std::vector<std::uint64_t> up(blocks.size());
         std::vector<std::uint64_t> down(blocks.size());
-        getPlaneKernel(set)(blocks.data(), blocks.size(), light, up.data(), down.data());
+        const PlaneKernel kernel = getPlaneKernel(set);
+        kernel.compareBlocks(blocks.data(), blocks.size(), light, up.data(), down.data());
         EXPECT_EQ(up[word], towards) << static_cast<int>(set);
         EXPECT_EQ(down[word], away) << static_cast<int>(set);
+        // Two quarters of four, and the others in a second call.
+        std::uint64_t upInParts = 0;
+        std::uint64_t downInParts = 0;
+        for (const unsigned int quarters : {0x5u, 0xau})
+        {
+          kernel.compareQuarters(blocks[word], quarters, light, upInParts, downInParts);
+          const std::uint64_t done = quarters == 0x5 ? 0x0000ffff0000ffffu : ~std::uint64_t{0};
+          EXPECT_EQ(upInParts, towards & done) << static_cast<int>(set);
+          EXPECT_EQ(downInParts, away & done) << static_cast<int>(set);
+        }
       }
     }
   }
@@ -191,9 +202,11 @@ TEST(InstructionSets, AnyFacing_GiveTheSameEdges)
       }
       for (const InstructionSet set : getInstructionSets())
       {
-        std::vector<DifferingEdge> found;
+        std::vector<DifferingEdge> found(words * EdgeTable::mostOfWord);
         const std::uint64_t* second = both ? away.data() : nullptr;
-        getEdgeKernel(set)(geometry.getEdgeTable(), towards.data(), second, 0, words, found);
+        const DifferingEdge* end =
+            getEdgeKernel(set)(geometry.getEdgeTable(), towards.data(), second, 0, words, found.data());
+        found.resize(static_cast<std::size_t>(end - found.data()));
         ASSERT_EQ(found.size(), expected.size()) << static_cast<int>(set);
         for (DifferingEdge& edge : found)
         {
