@@ -66,7 +66,7 @@ struct SEDGeometryReport
 /// Vertices are welded; the triangles of each connected component are oriented alike, and outwards (positive
 /// signed volume) where the component is closed. Non-manifold edges are split into borders, so that every
 /// edge has one or two triangles and sums over triangles stay what they were. Triangles that lie together
-/// stand together: the 64 of a word of FacingBits are a cluster.
+/// stand together: the 64 of a word of FacingBits, and the 16 of each of its quarters, are a patch.
 ///
 /// @par Memory  about 35 bytes a triangle
 /// @par Source  Shi 2006, chapter 4.2.2

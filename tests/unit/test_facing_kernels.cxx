@@ -241,4 +241,39 @@ TEST(ClusterTree, SmoothMesh_LooksAtFewWordsOnly)
   }
 }
 
+TEST(ClusterTree, SiblingsAtOppositeEnds_FaceAsExactly)
+{
+  // Seven clusters at one end and one at the other: from the centre of all of them its planes pass farther
+  // away than a bound can say.
+  TriangleSoup soup;
+  const auto addSheet = [&soup](double x, int triangles)
+  {
+    for (int triangle = 0; triangle < triangles; ++triangle)
+    {
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      const glm::dvec3 corner(x, 1e-3 * (triangle % 12), 1e-3 * (triangle / 12));
+      soup.points.insert(soup.points.end(),
+                         {corner, corner + glm::dvec3(0.0, 9e-4, 0.0), corner + glm::dvec3(0.0, 0.0, 9e-4)});
+      soup.triangles.push_back({first, first + 1, first + 2});
+    }
+  };
+  // Just below a power of two, which lengths are stored relative to.
+  addSheet(-0.96, 7 * 16);
+  addSheet(0.96, 2 * 16);
+  const SEDGeometry geometry = build(soup);
+  ASSERT_EQ(geometry.getReach(), 1.0);
+  for (const double x : {-3.0, -0.961, -0.959, -0.5, 0.0, 0.5, 0.959, 0.961, 3.0})
+  {
+    for (const double w : {0.0, 1.0})
+    {
+      const glm::dvec4 light(glm::dvec3(x, 0.3, 0.2) - w * geometry.getOrigin(), w);
+      const LightFacing expected = faceExactly(geometry, light);
+      LightFacing facing;
+      HierarchicalSilhouette().face(geometry, light, facing);
+      EXPECT_TRUE(facing.towards.getWords() == expected.towards.getWords()) << x << ", " << w;
+      EXPECT_TRUE(facing.away.getWords() == expected.away.getWords()) << x << ", " << w;
+    }
+  }
+}
+
 } // namespace shadow::test
