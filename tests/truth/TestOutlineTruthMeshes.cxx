@@ -60,7 +60,10 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MeshOutline);
 TEST_P(MeshOutline, EveryWidth_LinesAreTrue)
 {
   this->scene.window->Render();
-  expectTrueLines(this->scene, this->scene.makeOutline());
+  const OutlineTruth truth = this->scene.makeOutline();
+  expectTrueLines(this->scene, truth);
+  this->scene.outlines->SetTechniqueToFaces();
+  expectTrueLines(this->scene, truth, "Faces");
 }
 
 TEST_P(MeshOutline, Creases_LinesAreTrue)
@@ -73,7 +76,10 @@ TEST_P(MeshOutline, Creases_LinesAreTrue)
   // A crease has its surface on both sides, which shows by its depth that it is there but not what covers the
   // line between: hidden by less than this a crease may be drawn.
   options.offsets.hidden = 0.25;
-  expectTrueLines(this->scene, this->scene.makeOutline(options));
+  const OutlineTruth truth = this->scene.makeOutline(options);
+  expectTrueLines(this->scene, truth);
+  this->scene.outlines->SetTechniqueToFaces();
+  expectTrueLines(this->scene, truth, "Faces");
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshOutline,
