@@ -21,6 +21,8 @@
 
 #include "OutlineDrawers.h"
 #include "OutlineError.h"
+#include "OutlineFaceOptions.h"
+#include "OutlineLayouts.h"
 #include "OutlineMeshes.h"
 #include "OutlineTruth.h"
 #include "RefinedMesh.h"
@@ -259,6 +261,8 @@ int main(int argc, char** argv)
   }
   std::printf("%d x %d pixels, median of %d rounds of %d frames, milliseconds\n", effort.width, effort.height,
               effort.rounds, effort.framesATurn);
+  printLayouts();
+  compareFaceOptions(effort.rounds, effort.width, effort.height);
   const Mesh rings = makeRings();
   compareStages("Valient's 30,000 visible polygons: twelve rings", rings, {2.0, 6.0}, effort);
   const Mesh model = readModel("teapot");
