@@ -13,11 +13,11 @@ namespace
 /// Adds a face above all others.
 void add(std::vector<FaceRun>& runs, std::uint32_t face)
 {
-  if (runs.empty() || face - (runs.back().first + runs.back().count) >= ContributingFaces::shortestGap)
+  if (runs.empty() || face != runs.back().first + runs.back().count)
   {
     runs.push_back({face, 0});
   }
-  runs.back().count = face + 1 - runs.back().first;
+  ++runs.back().count;
 }
 
 bool isIdle(const SEDGeometry& geometry, const TopologyAwareMesh& mesh, std::size_t face)
@@ -52,11 +52,7 @@ ContributingFaces::ContributingFaces(const SEDGeometry& geometry, const Topology
 {
   for (std::uint32_t face = 0; face < mesh.countFaces(); ++face)
   {
-    if (isIdle(geometry, mesh, face))
-    {
-      ++this->idle;
-    }
-    else
+    if (!isIdle(geometry, mesh, face))
     {
       add(this->runs, face);
     }

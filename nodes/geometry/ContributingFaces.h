@@ -33,14 +33,10 @@ public:
   /// @par Cost  O(faces)
   ContributingFaces(const SEDGeometry& geometry, const TopologyAwareMesh& mesh);
 
-  /// The faces to draw, rising. Between two runs are so many faces at least that to draw twice costs less
-  /// than to draw them: shortestGap.
+  /// The faces to draw, rising.
   const std::vector<FaceRun>& getRuns() const { return this->runs; }
 
-  /// Faces that can have no line, those in gaps too short to be left out as well.
-  std::size_t countIdle() const { return this->idle; }
-
-  /// Of getRuns(), the faces with an edge of some length, and few others between them.
+  /// Of getRuns(), the faces with an edge of some length.
   ///
   /// @param length  model space, at least 0
   /// @par Cost      O(faces)
@@ -48,11 +44,8 @@ public:
 
   std::size_t getMemorySize() const { return this->runs.capacity() * sizeof(FaceRun); }
 
-  static constexpr std::uint32_t shortestGap = 16;
-
 private:
   std::vector<FaceRun> runs;
-  std::size_t idle = 0;
 };
 
 } // namespace shadow
