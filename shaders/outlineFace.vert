@@ -126,7 +126,7 @@ vec2 coverLine(vec4 ends, int corner)
          (corner == 2 ? 4.0 * margin * across : vec2(0.0));
 }
 
-// Do the triangles along the lines of a face, so long in all, cover less than the face scaled as a whole?
+// Do the triangles along the lineCount lines of a face, so long in all, cover less than the face scaled as a whole?
 bool isLarge(vec2 corners[3], float lineLength)
 {
   vec3 lengths = lengthsOf(corners);
@@ -137,72 +137,89 @@ bool isLarge(vec2 corners[3], float lineLength)
                                     (lengths.x + lengths.y + lengths.z) * scaled * scaled / inradius;
 }
 
+// An edge of a face on the screen, as it is handed on.
+struct Line
+{
+  vec4 ends;
+  vec2 depths;
+  vec2 outwards;
+};
+
+// Is an edge a line, and where? line is set when it is.
+bool findLine(int face, int edge, vec3 own, vec3 cornersMC[3], vec4 thirdCC, out Line line)
+{
+  vec4 from;
+  vec4 to;
+  int kind = kindOf(own, texelFetch(normalTexels, 3 * face + edge).x, eyeMC.xyz - eyeMC.w * cornersMC[edge]);
+  if (kind == 0 || !clipEdge(cornersMC[edge], cornersMC[(edge + 1) % 3], from, to))
+  {
+    return false;
+  }
+  vec3 fromDC = toScreen(from);
+  vec3 toDC = toScreen(to);
+  vec2 along = toDC.xy - fromDC.xy;
+  float side = kind == 1 ? sign(determinant(mat3(from.xyw, to.xyw, thirdCC.xyw))) : 0.0;
+  line = Line(vec4(fromDC.xy, toDC.xy), vec2(fromDC.z, toDC.z), side * vec2(along.y, -along.x));
+  return true;
+}
+
+// Hands on those edges of a face that are lines, of a part of it the one that it is drawn for. True: the face is to be
+// drawn in three parts.
+// edge  of the part
+// cut   by the near plane: the face is no triangle on the screen
+bool handOnLines(int face, int edge, vec3 cornersMC[3], vec4 cornersCC[3], vec2 corners[3], bool cut)
+{
+  vec3 own = cross(cornersMC[1] - cornersMC[0], cornersMC[2] - cornersMC[0]);
+  own = own == vec3(0.0) ? own : normalize(own);
+  Line lines[3];
+  bool isLine[3];
+  float lineLength = 0.0;
+  float longestMC = 0.0;
+  lineCount = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    isLine[i] = findLine(face, i, own, cornersMC, cornersCC[(i + 2) % 3], lines[i]);
+    lineCount += isLine[i] ? 1 : 0;
+    lineLength += isLine[i] ? distance(lines[i].ends.xy, lines[i].ends.zw) : 0.0;
+    longestMC = max(longestMC, distance(cornersMC[i], cornersMC[(i + 1) % 3]));
+  }
+  bool large = lineCount > 1 && longestMC >= splitFrom && (cut || isLarge(corners, lineLength));
+  lineCount = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    if (isLine[i] && (splits == 0 || i == edge))
+    {
+      endsDC[lineCount] = lines[i].ends;
+      endsDepth[lineCount] = lines[i].depths;
+      outwards[lineCount] = lines[i].outwards;
+      ++lineCount;
+    }
+  }
+  return large;
+}
+
 void main()
 {
   int face = gl_VertexID / (splits == 1 ? 9 : 3);
   int vertex = gl_VertexID - face * (splits == 1 ? 9 : 3);
+  int corner = vertex % 3;
   vec3 cornersMC[3];
   vec4 cornersCC[3];
   vec2 corners[3];
-  float nearest = 1.0;
+  bool cut = false;
   for (int i = 0; i < 3; ++i)
   {
     cornersMC[i] = cornerOf(face, i);
     cornersCC[i] = toClip(cornersMC[i]);
-    nearest = min(nearest, cornersCC[i].w - nearSign * cornersCC[i].z);
     corners[i] = toScreen(cornersCC[i]).xy;
-  }
-  vec3 own = cross(cornersMC[1] - cornersMC[0], cornersMC[2] - cornersMC[0]);
-  own = own == vec3(0.0) ? own : normalize(own);
-  lineCount = 0;
-  float lineLength = 0.0;
-  float longestMC = 0.0;
-  bool isLine[3];
-  vec4 ends[3];
-  vec2 depths[3];
-  vec2 normals[3];
-  for (int edge = 0; edge < 3; ++edge)
-  {
-    vec3 nextMC = cornersMC[(edge + 1) % 3];
-    longestMC = max(longestMC, distance(cornersMC[edge], nextMC));
-    int kind =
-        kindOf(own, texelFetch(normalTexels, 3 * face + edge).x, eyeMC.xyz - eyeMC.w * cornersMC[edge]);
-    vec4 from;
-    vec4 to;
-    isLine[edge] = kind != 0 && clipEdge(cornersMC[edge], nextMC, from, to);
-    if (isLine[edge])
-    {
-      ++lineCount;
-      vec3 fromDC = toScreen(from);
-      vec3 toDC = toScreen(to);
-      ends[edge] = vec4(fromDC.xy, toDC.xy);
-      depths[edge] = vec2(fromDC.z, toDC.z);
-      vec2 along = toDC.xy - fromDC.xy;
-      lineLength += length(along);
-      float side = kind == 1 ? sign(determinant(mat3(from.xyw, to.xyw, cornersCC[(edge + 2) % 3].xyw))) : 0.0;
-      normals[edge] = side * vec2(along.y, -along.x);
-    }
-  }
-  // Cut by the near plane a face is no triangle on the screen.
-  bool cut = nearest <= 0.0;
-  bool split = lineCount > 1 && longestMC >= splitFrom && (cut || isLarge(corners, lineLength));
-  lineCount = 0;
-  for (int edge = 0; edge < 3; ++edge)
-  {
-    if (isLine[edge] && (splits == 0 || edge == vertex / 3))
-    {
-      endsDC[lineCount] = ends[edge];
-      endsDepth[lineCount] = depths[edge];
-      outwards[lineCount] = normals[edge];
-      ++lineCount;
-    }
+    cut = cut || cornersCC[i].w - nearSign * cornersCC[i].z <= 0.0;
   }
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-  if (lineCount == 0 || split != (splits == 1))
+  bool large = handOnLines(face, vertex / 3, cornersMC, cornersCC, corners, cut);
+  if (lineCount == 0 || large != (splits == 1))
   {
     return;
   }
-  int corner = vertex % 3;
   if (lineCount == 1)
   {
     gl_Position = fromScreen(coverLine(endsDC[0], corner));

@@ -58,7 +58,7 @@ void LargeFaces::clear()
 
 float LargeFaces::getLength() const
 {
-  return this->exponent ? std::ldexp(1.0f, *this->exponent) : std::numeric_limits<float>::infinity();
+  return this->exponent ? std::ldexp(1.0f, *this->exponent) : std::numeric_limits<float>::max();
 }
 
 } // namespace shadow

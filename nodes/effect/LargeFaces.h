@@ -33,7 +33,8 @@ public:
 
   const std::vector<FaceRun>& getRuns() const { return this->runs; }
 
-  /// Model space: a face may be split when it has an edge of this length or more. Infinity: none is.
+  /// Model space: a face may be split when it has an edge of this length or more. The largest number: none
+  /// is.
   float getLength() const;
 
 private:

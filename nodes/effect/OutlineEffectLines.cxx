@@ -145,8 +145,8 @@ bool OutlineEffect::drawFacesOf(const Surface& surface, vtkOpenGLState* state, v
   LargeFaces& large = surface.lines->largeFaces;
   if (settings.splitsLargeFaces)
   {
-    const double pixels = measurePixels(geometry, wideView.clipFromWC * surface.wcFromMC, wideView.width,
-                                        wideView.height);
+    const double pixels =
+        measurePixels(geometry, wideView.clipFromWC * surface.wcFromMC, wideView.width, wideView.height);
     large.find(geometry, *contributing, pixels, 0.5 * settings.lineWidth + softness);
   }
   else
