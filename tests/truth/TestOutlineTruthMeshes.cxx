@@ -2,6 +2,7 @@
 #include <ostream>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,21 @@ TEST_P(MeshOutline, Creases_LinesAreTrue)
   expectTrueLines(this->scene, truth);
   this->scene.outlines->SetTechniqueToFaces();
   expectTrueLines(this->scene, truth, "Faces");
+}
+
+TEST_P(MeshOutline, FaceOptions_SamePicture)
+{
+  this->scene.outlines->SetTechniqueToFaces();
+  for (const double zoom : {1.0, 3.0})
+  {
+    this->scene.renderer->GetActiveCamera()->Zoom(zoom);
+    this->scene.outlines->SplitLargeFacesOff();
+    this->scene.outlines->LeaveOutFlatFacesOff();
+    const std::vector<unsigned char> plain = this->scene.renderLines(4.0);
+    this->scene.outlines->SplitLargeFacesOn();
+    this->scene.outlines->LeaveOutFlatFacesOn();
+    EXPECT_TRUE(this->scene.renderLines(4.0) == plain) << "zoom " << zoom;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshOutline,
