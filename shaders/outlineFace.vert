@@ -1,30 +1,40 @@
 //VTK::System::Dec
-// outlineFace.vert - pass 2 of outlines, a whole topology-aware mesh. Drawn by nodes/drawable/SEDGeometryDrawable:
-// gl_VertexID = 3 * face + corner. A face tells by the normals it stores which of its edges are lines, and is scaled
-// on the screen about its incentre until it covers them.
+// outlineFace.vert - pass 2 of outlines, a whole topology-aware mesh. Drawn by nodes/drawable/SEDGeometryDrawable.
+// A face tells by the normals it stores which of its edges are lines, and is scaled on the screen about its incentre
+// until it covers them; a large one is drawn as thin triangles along them instead, where they cover less.
+// unif splits           int             0: gl_VertexID = 3 * face + corner; 1: 9 * face + 3 * edge + corner, draws those
+//                                       that 0 has left out for being large
+// unif splitFrom        float           model space: faces without an edge so long are not large
 // unif normalTexels     usamplerBuffer  three texels a face: TAMLayout::Shared
 // unif eyeMC            vec4            relative to the geometry's origin; w = 0: direction towards it
 // unif drawsSilhouette  int             1: edges whose faces face the eye differently
-// unif drawsBorder      int             1: edges with the negated own normal
+// unif drawsBorder      int             1: edges without a neighbour
 // unif creaseCosine     float           edges whose faces' normals have a smaller cosine; -2: none
 // unif lineReach        float           pixels around an edge that may be drawn
-// out  edges                        int  bits of those that are lines
-// out  endsDC, endsDepth, outwards  of each edge: see outlineEdge.vert
+// out  lineCount                    int  edges that are lines
+// out  endsDC, endsDepth, outwards  of each of them: see outlineEdge.vert
 // Source: Valient, "Hardware Generated Object Silhouettes", section 3.1
 #include "outlineFaces.glsl"
+uniform int splits;
+uniform float splitFrom;
 uniform usamplerBuffer normalTexels;
 uniform vec4 eyeMC;
 uniform int drawsSilhouette;
 uniform int drawsBorder;
 uniform float creaseCosine;
 uniform float lineReach;
-flat out int edges;
+flat out int lineCount;
 flat out vec4 endsDC[3];
 flat out vec2 endsDepth[3];
 flat out vec2 outwards[3];
 
 // A pixel's diagonal.
 const float diagonal = 1.4142136;
+// Vertices are snapped to 1/256 of a pixel.
+const float snap = 0.02;
+// Stand for normals, see TopologyAwareMesh.h.
+const uint neverPacked = 0x80008000u;
+const uint borderPacked = 0x80000000u;
 
 // Octahedral, see packNormal(). Source: Meyer et al. 2010, "On Floating-Point Normal Vectors"
 vec3 unpackNormal(uint code)
@@ -39,14 +49,20 @@ vec3 unpackNormal(uint code)
 }
 
 // Which kind of line an edge is. 0 none, 1 silhouette or border, 2 crease with the surface on both sides
-int kindOf(vec3 own, vec3 other, vec3 toEye)
+int kindOf(vec3 own, uint code, vec3 toEye)
 {
-  float cosine = dot(own, other);
-  // A border stores the negated own normal, rounded. Two faces folded onto one another cannot be told from it.
-  bool border = cosine < -0.999999;
+  if (code == borderPacked)
+  {
+    return drawsBorder;
+  }
+  // A face without area has no side of its own: its neighbours store the normal beyond it, and have its lines.
+  if (code == neverPacked || own == vec3(0.0))
+  {
+    return 0;
+  }
+  vec3 other = unpackNormal(code);
   bool differs = dot(own, toEye) > 0.0 != dot(other, toEye) > 0.0;
-  bool line = border ? drawsBorder == 1 : differs && drawsSilhouette == 1;
-  return line ? 1 : (!border && cosine < creaseCosine ? 2 : 0);
+  return differs && drawsSilhouette == 1 ? 1 : (dot(own, other) < creaseCosine ? 2 : 0);
 }
 
 // Moves the corners of a triangle that is thin or tiny on the screen apart, so that it has an inside to be scaled; the
@@ -96,74 +112,124 @@ vec2 scaleCorner(vec2 corners[3], int corner)
   return incentre + scale * (corners[corner] - incentre);
 }
 
+// The smallest triangle around the rectangle that covers one line: twice that rectangle.
+vec2 coverLine(vec4 ends, int corner)
+{
+  float margin = lineReach + snap;
+  vec2 along = ends.zw - ends.xy;
+  float length = length(along);
+  // An edge that is seen end on is a dot.
+  along = length > 1e-4 ? along / length : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  vec2 first = ends.xy - margin * (along + across);
+  return first + (corner == 1 ? 2.0 * (length + 2.0 * margin) * along : vec2(0.0)) +
+         (corner == 2 ? 4.0 * margin * across : vec2(0.0));
+}
+
+// Do the triangles along the lineCount lines of a face, so long in all, cover less than the face scaled as a whole?
+bool isLarge(vec2 corners[3], float lineLength)
+{
+  vec3 lengths = lengthsOf(corners);
+  float inradius = inradiusOf(corners, lengths);
+  float scaled = inradius + lineReach + diagonal;
+  float margin = lineReach + snap;
+  return inradius > diagonal && 8.0 * margin * (lineLength + 2.0 * margin * float(lineCount)) <
+                                    (lengths.x + lengths.y + lengths.z) * scaled * scaled / inradius;
+}
+
+// An edge of a face on the screen, as it is handed on.
+struct Line
+{
+  vec4 ends;
+  vec2 depths;
+  vec2 outwards;
+};
+
+// Is an edge a line, and where? line is set when it is.
+bool findLine(int face, int edge, vec3 own, vec3 cornersMC[3], vec4 thirdCC, out Line line)
+{
+  vec4 from;
+  vec4 to;
+  int kind = kindOf(own, texelFetch(normalTexels, 3 * face + edge).x, eyeMC.xyz - eyeMC.w * cornersMC[edge]);
+  if (kind == 0 || !clipEdge(cornersMC[edge], cornersMC[(edge + 1) % 3], from, to))
+  {
+    return false;
+  }
+  vec3 fromDC = toScreen(from);
+  vec3 toDC = toScreen(to);
+  vec2 along = toDC.xy - fromDC.xy;
+  float side = kind == 1 ? sign(determinant(mat3(from.xyw, to.xyw, thirdCC.xyw))) : 0.0;
+  line = Line(vec4(fromDC.xy, toDC.xy), vec2(fromDC.z, toDC.z), side * vec2(along.y, -along.x));
+  return true;
+}
+
+// Hands on those edges of a face that are lines, of a part of it the one that it is drawn for. True: the face is to be
+// drawn in three parts.
+// edge  of the part
+// cut   by the near plane: the face is no triangle on the screen
+bool handOnLines(int face, int edge, vec3 cornersMC[3], vec4 cornersCC[3], vec2 corners[3], bool cut)
+{
+  vec3 own = cross(cornersMC[1] - cornersMC[0], cornersMC[2] - cornersMC[0]);
+  own = own == vec3(0.0) ? own : normalize(own);
+  Line lines[3];
+  bool isLine[3];
+  float lineLength = 0.0;
+  float longestMC = 0.0;
+  lineCount = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    isLine[i] = findLine(face, i, own, cornersMC, cornersCC[(i + 2) % 3], lines[i]);
+    lineCount += isLine[i] ? 1 : 0;
+    lineLength += isLine[i] ? distance(lines[i].ends.xy, lines[i].ends.zw) : 0.0;
+    longestMC = max(longestMC, distance(cornersMC[i], cornersMC[(i + 1) % 3]));
+  }
+  bool large = lineCount > 1 && longestMC >= splitFrom && (cut || isLarge(corners, lineLength));
+  lineCount = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    if (isLine[i] && (splits == 0 || i == edge))
+    {
+      endsDC[lineCount] = lines[i].ends;
+      endsDepth[lineCount] = lines[i].depths;
+      outwards[lineCount] = lines[i].outwards;
+      ++lineCount;
+    }
+  }
+  return large;
+}
+
 void main()
 {
-  int face = gl_VertexID / 3;
+  int face = gl_VertexID / (splits == 1 ? 9 : 3);
+  int vertex = gl_VertexID - face * (splits == 1 ? 9 : 3);
+  int corner = vertex % 3;
   vec3 cornersMC[3];
   vec4 cornersCC[3];
+  vec2 corners[3];
+  bool cut = false;
   for (int i = 0; i < 3; ++i)
   {
     cornersMC[i] = cornerOf(face, i);
     cornersCC[i] = toClip(cornersMC[i]);
-  }
-  vec3 own = cross(cornersMC[1] - cornersMC[0], cornersMC[2] - cornersMC[0]);
-  own = own == vec3(0.0) ? own : normalize(own);
-  edges = 0;
-  int lineCount = 0;
-  int onlyEdge = 0;
-  // A face without area stands in for nothing: its neighbours store the normal beyond it, and have its lines.
-  int edgesToAsk = own == vec3(0.0) ? 0 : 3;
-  for (int edge = 0; edge < edgesToAsk; ++edge)
-  {
-    vec3 other = unpackNormal(texelFetch(normalTexels, 3 * face + edge).x);
-    int kind = kindOf(own, other, eyeMC.xyz - eyeMC.w * cornersMC[edge]);
-    vec4 from;
-    vec4 to;
-    endsDC[edge] = vec4(0.0);
-    endsDepth[edge] = vec2(0.0);
-    outwards[edge] = vec2(0.0);
-    if (kind != 0 && clipEdge(cornersMC[edge], cornersMC[(edge + 1) % 3], from, to))
-    {
-      edges |= 1 << edge;
-      ++lineCount;
-      onlyEdge = edge;
-      vec3 fromDC = toScreen(from);
-      vec3 toDC = toScreen(to);
-      endsDC[edge] = vec4(fromDC.xy, toDC.xy);
-      endsDepth[edge] = vec2(fromDC.z, toDC.z);
-      vec2 along = toDC.xy - fromDC.xy;
-      float side = kind == 1 ? sign(determinant(mat3(from.xyw, to.xyw, cornersCC[(edge + 2) % 3].xyw))) : 0.0;
-      outwards[edge] = side * vec2(along.y, -along.x);
-    }
+    corners[i] = toScreen(cornersCC[i]).xy;
+    cut = cut || cornersCC[i].w - nearSign * cornersCC[i].z <= 0.0;
   }
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-  if (edges == 0)
+  bool large = handOnLines(face, vertex / 3, cornersMC, cornersCC, corners, cut);
+  if (lineCount == 0 || large != (splits == 1))
   {
     return;
   }
-  int corner = gl_VertexID - 3 * face;
-  vec2 corners[3];
   if (lineCount == 1)
   {
-    // One line alone: as narrow a triangle as covers it.
-    corners[0] = endsDC[onlyEdge].xy;
-    corners[1] = endsDC[onlyEdge].zw;
-    corners[2] = corners[0];
+    gl_Position = fromScreen(coverLine(endsDC[0], corner));
+    return;
   }
-  else
+  if (cut)
   {
-    float nearest = 1.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      nearest = min(nearest, cornersCC[i].w - nearSign * cornersCC[i].z);
-      corners[i] = toScreen(cornersCC[i]).xy;
-    }
-    if (nearest <= 0.0)
-    {
-      // Cut by the near plane the face is no triangle on the screen: all of that, then.
-      gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, 0.5, 1.0);
-      return;
-    }
+    // All of the screen, then.
+    gl_Position = vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, 0.5, 1.0);
+    return;
   }
   if (inradiusOf(corners, lengthsOf(corners)) < 0.5 * diagonal)
   {

@@ -9,6 +9,7 @@
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
+#include "ContributingFaces.h"
 #include "OpenGL.h"
 #include "TopologyAwareMesh.h"
 #include "VertexLayout.h"
@@ -68,6 +69,25 @@ std::size_t uploadBuffer(GLenum target, unsigned int buffer, const std::vector<E
   glBindBuffer(target, buffer);
   glBufferData(target, static_cast<GLsizeiptr>(size), elements.data(), usage);
   return size;
+}
+
+/// Three vertices a face, or nine: see shaders/outlineFace.vert.
+void drawRuns(vtkShaderProgram* program, const std::vector<FaceRun>& runs, bool split)
+{
+  if (runs.empty())
+  {
+    return;
+  }
+  const std::uint32_t verticesOfFace = split ? 9 : 3;
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (const FaceRun& run : runs)
+  {
+    firsts.push_back(static_cast<GLint>(verticesOfFace * run.first));
+    counts.push_back(static_cast<GLsizei>(verticesOfFace * run.count));
+  }
+  program->SetUniformi("splits", split ? 1 : 0);
+  glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(runs.size()));
 }
 
 } // namespace
@@ -158,7 +178,8 @@ void SEDGeometryDrawable::unbindFaceTexels(vtkOpenGLState* state)
 }
 
 bool SEDGeometryDrawable::drawFaces(vtkOpenGLState* state, vtkShaderProgram* program,
-                                    const TopologyAwareMesh& mesh)
+                                    const TopologyAwareMesh& mesh, const std::vector<FaceRun>& runs,
+                                    const std::vector<FaceRun>& split)
 {
   if (this->normalBuffer == 0)
   {
@@ -174,7 +195,8 @@ bool SEDGeometryDrawable::drawFaces(vtkOpenGLState* state, vtkShaderProgram* pro
   }
   this->normalTexels.bind(state, static_cast<unsigned int>(program->GetHandle()), firstFreeUnit,
                           "normalTexels");
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * this->triangles));
+  drawRuns(program, runs, false);
+  drawRuns(program, split, true);
   BufferTexels::unbind(state, firstFreeUnit);
   unbindFaceTexels(state);
   return true;

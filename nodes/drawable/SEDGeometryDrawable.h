@@ -19,6 +19,7 @@ namespace shadow
 {
 
 class TopologyAwareMesh;
+struct FaceRun;
 
 /// What each side of a path's triangles faces, as a vertex attribute of the pre-pass.
 class ReachableBitsBuffer
@@ -83,11 +84,14 @@ public:
   bool bindFaceTexels(vtkOpenGLState* state, vtkShaderProgram* program);
   static void unbindFaceTexels(vtkOpenGLState* state);
 
-  /// Draws three vertices for each face of a topology-aware mesh, with nothing but their numbers and what
+  /// Draws vertices for faces of a topology-aware mesh, with nothing but their numbers and what
   /// bindFaceTexels() and the shared layout give: see shaders/outlineFace.vert. @pre a vertex array is bound
-  /// @param mesh  made from the same geometry, always the same; uploaded when first asked for
+  /// @param mesh   made from the same geometry, always the same; uploaded when first asked for
+  /// @param runs   the faces to draw whole, each a triangle
+  /// @param split  the faces to draw as three triangles, one for each edge
   /// @return false when the GL cannot look up a mesh of this size
-  bool drawFaces(vtkOpenGLState* state, vtkShaderProgram* program, const TopologyAwareMesh& mesh);
+  bool drawFaces(vtkOpenGLState* state, vtkShaderProgram* program, const TopologyAwareMesh& mesh,
+                 const std::vector<FaceRun>& runs, const std::vector<FaceRun>& split);
 
   /// Texture units from this one on are not used by the faces.
   static constexpr int firstFreeUnit = 4;

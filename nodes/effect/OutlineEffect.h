@@ -11,6 +11,7 @@
 
 #include "Capabilities.h"
 #include "DrawableCache.h"
+#include "LargeFaces.h"
 #include "LineDrawable.h"
 #include "Node.h"
 #include "OutlineTarget.h"
@@ -57,7 +58,9 @@ public:
     bool silhouette = true;
     bool border = true;
     bool crease = false;
-    double featureAngle = 60.0; ///< degrees, of creases
+    double featureAngle = 60.0;     ///< degrees, of creases
+    bool leavesOutFlatFaces = true; ///< Faces: none that can have no line is drawn, see ContributingFaces
+    bool splitsLargeFaces = true;   ///< Faces: three thin triangles for one where that covers fewer pixels
     int depthScale = 0; ///< pixels of pass 1 for one of the view, in each direction; 0: chooseDepthScale()
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
@@ -121,6 +124,7 @@ private:
     std::vector<FaceEdges> creases;
     std::vector<FaceEdges> lines;
     LineDrawable drawable;
+    LargeFaces largeFaces;
     bool found = false;    ///< lines belong to eyeMC and settings
     bool uploaded = false; ///< the GL has taken them
     bool used = false;
@@ -150,8 +154,9 @@ private:
   bool drawDepth(vtkOpenGLRenderWindow* window, const View& wideView, std::string& error);
   bool drawLines(vtkOpenGLRenderWindow* window, const View& wideView, const Settings& settings,
                  std::string& error);
-  bool drawLinesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program,
-                   const Settings& settings);
+  bool drawLinesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program);
+  bool drawFacesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program,
+                   const View& wideView, const Settings& settings);
   void chooseDepthRange(const View& view);
 
   std::unique_ptr<SilhouetteFinder> finder;

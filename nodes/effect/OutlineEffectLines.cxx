@@ -26,6 +26,7 @@ void OutlineEffect::findMesh(const Surface& surface)
     kept.mesh = geometry.getPreparedData().get<TopologyAwareMesh>(0.0, [&geometry]
                                                                   { return TopologyAwareMesh(geometry); });
     kept.found = false;
+    kept.largeFaces.clear();
   }
 }
 
@@ -111,7 +112,10 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
     {
       setUniform(program, "clipFromMC", clipFromWC * surface.wcFromMC);
       setUniform(program, "farFromMC", farWC * surface.wcFromMC);
-      if (!this->drawLinesOf(surface, state, program, settings))
+      const bool drawn = settings.technique == LineTechnique::Faces
+                             ? this->drawFacesOf(surface, state, program, wideView, settings)
+                             : this->drawLinesOf(surface, state, program);
+      if (!drawn)
       {
         this->errors.push_back(surface.name + " has no outline: the GL cannot look up a mesh of its size");
       }
@@ -121,25 +125,44 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
   return true;
 }
 
-bool OutlineEffect::drawLinesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program,
-                                const Settings& settings)
+bool OutlineEffect::drawLinesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program)
 {
-  SEDGeometryDrawable& drawable = this->drawables.getGeometry(surface.geometry);
-  if (settings.technique == LineTechnique::Rectangles)
+  const LineDrawable& lines = surface.lines->drawable;
+  this->statistics.lineEdges += lines.countLines();
+  this->statistics.lineTriangles += 2 * lines.countLines();
+  return lines.draw(state, program, this->drawables.getGeometry(surface.geometry));
+}
+
+bool OutlineEffect::drawFacesOf(const Surface& surface, vtkOpenGLState* state, vtkShaderProgram* program,
+                                const View& wideView, const Settings& settings)
+{
+  const SEDGeometry& geometry = *surface.geometry;
+  const std::shared_ptr<const TopologyAwareMesh>& mesh = surface.lines->mesh;
+  const auto contributing = geometry.getPreparedData().get<ContributingFaces>(
+      0.0, [&] { return ContributingFaces(geometry, *mesh); });
+  const std::vector<FaceRun> all = {{0, static_cast<std::uint32_t>(mesh->countFaces())}};
+  const std::vector<FaceRun>& whole = settings.leavesOutFlatFaces ? contributing->getRuns() : all;
+  LargeFaces& large = surface.lines->largeFaces;
+  if (settings.splitsLargeFaces)
   {
-    const LineDrawable& lines = surface.lines->drawable;
-    this->statistics.lineEdges += lines.countLines();
-    this->statistics.lineTriangles += 2 * lines.countLines();
-    return lines.draw(state, program, drawable);
+    const double pixels =
+        measurePixels(geometry, wideView.clipFromWC * surface.wcFromMC, wideView.width, wideView.height);
+    large.find(geometry, *contributing, pixels, 0.5 * settings.lineWidth + softness);
+  }
+  else
+  {
+    large.clear();
   }
   setUniform(program, "eyeMC", surface.eyeMC);
+  program->SetUniformf("splitFrom", large.getLength());
   program->SetUniformi("drawsSilhouette", settings.silhouette ? 1 : 0);
   program->SetUniformi("drawsBorder", settings.border ? 1 : 0);
   const double degree = 3.14159265358979323846 / 180.0;
   program->SetUniformf(
       "creaseCosine", settings.crease ? static_cast<float>(std::cos(degree * settings.featureAngle)) : -2.0f);
-  this->statistics.lineTriangles += surface.lines->mesh->countFaces();
-  return drawable.drawFaces(state, program, *surface.lines->mesh);
+  this->statistics.lineTriangles += countFaces(whole) + 3 * countFaces(large.getRuns());
+  return this->drawables.getGeometry(surface.geometry)
+      .drawFaces(state, program, *mesh, whole, large.getRuns());
 }
 
 } // namespace shadow

@@ -1,7 +1,9 @@
 #include "TopologyAwareMesh.h"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
+
+#include "ExactOrientation.h"
 
 namespace shadow
 {
@@ -23,59 +25,33 @@ std::size_t findLongestEdge(const SEDGeometry& geometry, std::size_t face)
   return static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
 }
 
-/// Puts edges of the same face into one entry, rising by face.
-void gather(std::vector<FaceEdges>& lines)
+bool hasArea(const SEDGeometry& geometry, std::size_t face)
 {
-  std::sort(lines.begin(), lines.end(),
-            [](const FaceEdges& a, const FaceEdges& b) { return a.face < b.face; });
-  std::size_t kept = 0;
-  for (const FaceEdges& line : lines)
-  {
-    if (kept > 0 && lines[kept - 1].face == line.face)
-    {
-      lines[kept - 1].edges |= line.edges;
-    }
-    else
-    {
-      lines[kept++] = line;
-    }
-  }
-  lines.resize(kept);
+  return geometry.getPlane(face).normal != glm::dvec3(0.0);
 }
 
-void addSilhouette(const EdgeTable& table, const FacingBits& towards, std::size_t word,
-                   std::vector<FaceEdges>& lines)
+/// Two faces with an area, in exactly one plane and on the same side of it.
+bool lieAlike(const SEDGeometry& geometry, std::size_t face, std::size_t other)
 {
-  const EdgeTable::Record record = table.getRecord(word);
-  const auto base = static_cast<std::uint32_t>(64 * word);
-  const std::uint64_t bits = towards.getWords()[word];
-  const auto add = [&](EdgeTable::Code code) {
-    lines.push_back({base + EdgeTable::triangleOf(code), 1u << EdgeTable::sideOf(code)});
-  };
-  for (std::size_t i = 0; i < record.inner; ++i)
+  const glm::dvec3 normal = geometry.getPlane(face).normal;
+  const glm::dvec3 otherNormal = geometry.getPlane(other).normal;
+  const double cosine = glm::dot(normal, otherNormal) / (glm::length(normal) * glm::length(otherNormal));
+  // Spares most pairs the exact test.
+  if (!(cosine > 0.999999))
   {
-    const EdgeTable::Code code = record.innerFirst[i];
-    if (((bits >> EdgeTable::triangleOf(code) ^ bits >> EdgeTable::triangleOf(record.innerSecond[i])) & 1u) !=
-        0)
-    {
-      add(code);
-    }
+    return false;
   }
-  for (std::size_t i = 0; i < record.outer; ++i)
-  {
-    const EdgeTable::Code code = record.outerFirst[i];
-    if ((bits >> EdgeTable::triangleOf(code) & 1u) != (towards.test(record.outerSecond[i]) ? 1u : 0u))
-    {
-      add(code);
-    }
-  }
-}
-
-void copyBit(FacingBits& bits, std::uint32_t from, std::uint32_t to)
-{
-  const std::uint64_t mask = std::uint64_t{1} << (to & 63u);
-  std::uint64_t& word = bits.data()[to >> 6];
-  word = bits.test(from) ? word | mask : word & ~mask;
+  const std::vector<glm::vec3>& positions = geometry.getPositions();
+  const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[face];
+  const std::array<std::uint32_t, 3>& others = geometry.getTriangles()[other];
+  return std::all_of(others.begin(), others.end(),
+                     [&](std::uint32_t vertex)
+                     {
+                       return std::find(corners.begin(), corners.end(), vertex) != corners.end() ||
+                              exactOrientation(positions[corners[0]], positions[corners[1]],
+                                               positions[corners[2]],
+                                               glm::dvec4(positions[vertex], 1.0)) == 0;
+                     });
 }
 
 } // namespace
@@ -166,6 +142,14 @@ void TopologyAwareMesh::pairBorders(const SEDGeometry& geometry)
             [](const TurnedPair& a, const TurnedPair& b) { return a.side < b.side; });
 }
 
+std::uint32_t TopologyAwareMesh::getTurnedNeighbour(std::size_t face, std::size_t edge) const
+{
+  const auto side = static_cast<std::uint32_t>(3 * face + edge);
+  const auto pair = std::lower_bound(this->turnedPairs.begin(), this->turnedPairs.end(), side,
+                                     [](const TurnedPair& a, std::uint32_t b) { return a.side < b; });
+  return pair != this->turnedPairs.end() && pair->side == side ? pair->other / 3 : noTriangle;
+}
+
 glm::vec3 TopologyAwareMesh::getNeighbourNormal(std::size_t face, std::size_t edge) const
 {
   const std::uint32_t neighbour = this->neighbours[face][edge];
@@ -173,11 +157,33 @@ glm::vec3 TopologyAwareMesh::getNeighbourNormal(std::size_t face, std::size_t ed
   {
     return this->normals[neighbour];
   }
-  const auto side = static_cast<std::uint32_t>(3 * face + edge);
-  const auto pair = std::lower_bound(this->turnedPairs.begin(), this->turnedPairs.end(), side,
-                                     [](const TurnedPair& a, std::uint32_t b) { return a.side < b; });
-  const bool turned = pair != this->turnedPairs.end() && pair->side == side;
-  return -this->normals[turned ? pair->other / 3 : face];
+  const std::uint32_t turned = this->getTurnedNeighbour(face, edge);
+  return -this->normals[turned != noTriangle ? turned : face];
+}
+
+EdgeFate TopologyAwareMesh::getFate(const SEDGeometry& geometry, std::size_t face, std::size_t edge) const
+{
+  const std::uint32_t neighbour = this->neighbours[face][edge];
+  const bool turned = neighbour == noTriangle && this->getTurnedNeighbour(face, edge) != noTriangle;
+  if (neighbour == noTriangle && !turned)
+  {
+    return EdgeFate::Border;
+  }
+  if (!hasArea(geometry, face))
+  {
+    return EdgeFate::Never;
+  }
+  if (turned)
+  {
+    return EdgeFate::Open;
+  }
+  if (!hasArea(geometry, neighbour))
+  {
+    // The face stands in for it?
+    const bool standsIn = this->neighbours[neighbour][findLongestEdge(geometry, neighbour)] == face;
+    return standsIn ? EdgeFate::Never : EdgeFate::Open;
+  }
+  return lieAlike(geometry, face, neighbour) ? EdgeFate::Never : EdgeFate::Open;
 }
 
 // From face to face across their longest edges, which only get longer, until one has an area.
@@ -211,79 +217,6 @@ void TopologyAwareMesh::findStandIns(const SEDGeometry& geometry)
       this->standIns.push_back({*member, face});
     }
   }
-}
-
-void TopologyAwareMesh::completeFacing(LightFacing& facing) const
-{
-  for (const StandIn& standIn : this->standIns)
-  {
-    copyBit(facing.towards, standIn.source, standIn.face);
-    copyBit(facing.away, standIn.source, standIn.face);
-  }
-}
-
-void TopologyAwareMesh::findLines(const SEDGeometry& geometry, const LightFacing& facing,
-                                  const LineKinds& kinds, std::vector<FaceEdges>& lines) const
-{
-  lines.clear();
-  const EdgeTable& table = geometry.getEdgeTable();
-  if (kinds.silhouette && facing.mixedWords)
-  {
-    for (const std::uint32_t word : *facing.mixedWords)
-    {
-      addSilhouette(table, facing.towards, word, lines);
-    }
-  }
-  else if (kinds.silhouette)
-  {
-    for (std::size_t word = 0; word < table.words.size(); ++word)
-    {
-      addSilhouette(table, facing.towards, word, lines);
-    }
-  }
-  for (const TurnedPair& pair : this->turnedPairs)
-  {
-    if (kinds.silhouette && pair.side < pair.other &&
-        facing.towards.test(pair.side / 3) == facing.towards.test(pair.other / 3))
-    {
-      lines.push_back({pair.side / 3, 1u << pair.side % 3});
-    }
-  }
-  if (kinds.border)
-  {
-    for (const std::uint32_t border : this->borders)
-    {
-      lines.push_back({border / 3, 1u << border % 3});
-    }
-  }
-  if (kinds.creases != nullptr)
-  {
-    lines.insert(lines.end(), kinds.creases->begin(), kinds.creases->end());
-  }
-  gather(lines);
-}
-
-std::vector<FaceEdges> TopologyAwareMesh::findCreases(const SEDGeometry& geometry, double degrees) const
-{
-  const double largestCosine = std::cos(std::clamp(degrees, 0.0, 180.0) * 3.14159265358979323846 / 180.0);
-  std::vector<FaceEdges> creases;
-  const auto add = [&](std::uint32_t face, std::uint32_t edge)
-  {
-    const glm::dvec3 one(this->normals[face]);
-    const glm::dvec3 other(this->getNeighbourNormal(face, edge));
-    if (one != glm::dvec3(0.0) && other != glm::dvec3(0.0) && glm::dot(one, other) < largestCosine)
-    {
-      creases.push_back({face, 8u << edge});
-    }
-  };
-  forEachEdge(geometry.getEdgeTable(), [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)
-              { second != noTriangle ? add(first, side) : void(); });
-  for (const TurnedPair& pair : this->turnedPairs)
-  {
-    pair.side < pair.other ? add(pair.side / 3, pair.side % 3) : void();
-  }
-  gather(creases);
-  return creases;
 }
 
 std::size_t TopologyAwareMesh::getMemorySize() const

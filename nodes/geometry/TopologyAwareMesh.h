@@ -19,7 +19,16 @@ enum class TAMLayout
   Full,  ///< three vertices a face, 84 bytes each: position, three corners, three normals, all float32
   Half,  ///< the same with corners and normals as halves, corners in units of the mesh's reach: 48 bytes each
   Shared ///< what is common to a face once, in a buffer that shaders fetch from: three normals of 4 bytes,
-         ///< see packNormal(). Positions and corners are the original mesh's own vertex and index buffer
+         ///< see packNormal(), or what getFate() knows, see neverPacked and borderPacked. Positions and
+         ///< corners are the original mesh's own vertex and index buffer
+};
+
+/// What is known of an edge of a face before there is any eye.
+enum class EdgeFate
+{
+  Open,   ///< the face and its neighbour may face an eye differently
+  Border, ///< it has no neighbour: a border line whatever the eye is
+  Never   ///< no line whatever the eye is, or one that the neighbour has
 };
 
 /// The edges of a face that are lines.
@@ -75,6 +84,20 @@ public:
   /// negated own one on a border.
   glm::vec3 getNeighbourNormal(std::size_t face, std::size_t edge) const;
 
+  /// What is known of an edge without an eye.
+  ///
+  /// It is never a line when both faces have an area, lie exactly in one plane, and look to the same side of
+  /// it: every eye then sees both from the same side. Of a face without area no edge but its borders is a
+  /// line: what other lines there are its neighbours have, which store the normal from beyond it. Only
+  /// between two such faces that have their sides from different faces may a line be lost.
+  ///
+  /// A concave edge is not among them. Of a solid seen from outside it is hidden, but a hidden line may be
+  /// asked for, the eye may be inside, and the near plane may cut away what hides it.
+  ///
+  /// @par Cost    O(1)
+  /// @par Source  Valient, section 4: faces that cannot contribute are left out
+  EdgeFate getFate(const SEDGeometry& geometry, std::size_t face, std::size_t edge) const;
+
   /// Gives each face without area the bits of the face that stands in for it. Every facing that is handed to
   /// findLines() has to be completed; LightFacing::mixedWords stays right.
   void completeFacing(LightFacing& facing) const;
@@ -127,6 +150,7 @@ private:
   void linkNeighbours(const SEDGeometry& geometry);
   void pairBorders(const SEDGeometry& geometry);
   void findStandIns(const SEDGeometry& geometry);
+  std::uint32_t getTurnedNeighbour(std::size_t face, std::size_t edge) const; ///< or noTriangle
 
   std::vector<std::array<std::uint32_t, 3>> neighbours;
   std::vector<glm::vec3> normals;
@@ -149,5 +173,10 @@ std::size_t getOriginalSize(std::size_t vertices, std::size_t faces);
 /// @par Source  Meyer et al. 2010, "On Floating-Point Normal Vectors"
 std::uint32_t packNormal(const glm::vec3& normal);
 glm::vec3 unpackNormal(std::uint32_t packed);
+
+/// Stand in the shared layout where no normal is needed: an edge that is never a line, and a border. No
+/// normal is packed so.
+inline constexpr std::uint32_t neverPacked = 0x80008000u;
+inline constexpr std::uint32_t borderPacked = 0x80000000u;
 
 } // namespace shadow

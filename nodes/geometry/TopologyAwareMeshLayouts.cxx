@@ -62,7 +62,10 @@ std::vector<unsigned char> TopologyAwareMesh::pack(const SEDGeometry& geometry, 
       const float turn = geometry.getReversed().test(face) ? -1.0f : 1.0f;
       for (std::size_t edge = 0; edge < 3; ++edge)
       {
-        writer.write(packNormal(turn * this->getNeighbourNormal(face, edge)));
+        const EdgeFate fate = this->getFate(geometry, face, edge);
+        writer.write(fate == EdgeFate::Never    ? neverPacked
+                     : fate == EdgeFate::Border ? borderPacked
+                                                : packNormal(turn * this->getNeighbourNormal(face, edge)));
       }
       continue;
     }

@@ -33,6 +33,8 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
 
   shadow::OutlineEffect::Settings settings;
   settings.technique = static_cast<shadow::LineTechnique>(self->Technique);
+  settings.leavesOutFlatFaces = self->LeaveOutFlatFaces;
+  settings.splitsLargeFaces = self->SplitLargeFaces;
   settings.depthScale = self->DepthScale;
   settings.lineWidth = self->LineWidth;
   settings.silhouette = self->SilhouetteEdges;
@@ -45,19 +47,21 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
   look.hiddenColor = {self->HiddenColor[0], self->HiddenColor[1], self->HiddenColor[2],
                       self->HiddenEdges ? self->HiddenOpacity : 0.0};
   look.smooth = self->Smooth;
+  std::set<std::string> errors(state.Builder.getErrors().begin(), state.Builder.getErrors().end());
   std::string error;
   if (!state.Effect.renderLines(window, shadow::currentView(renderer, window), settings, error) ||
       !state.Effect.blend(window, look, self->MeasureStages, error))
   {
     this->Status = STATUS_NOT_SUPPORTED;
     this->Message = error;
-    return;
   }
-  std::set<std::string> errors(state.Builder.getErrors().begin(), state.Builder.getErrors().end());
-  errors.insert(state.Effect.getErrors().begin(), state.Effect.getErrors().end());
+  else
+  {
+    errors.insert(state.Effect.getErrors().begin(), state.Effect.getErrors().end());
+    this->Status = errors.empty() ? STATUS_OK : STATUS_PARTIAL;
+  }
   for (const std::string& line : errors)
   {
-    this->Status = STATUS_PARTIAL;
     this->Message += (this->Message.empty() ? "" : "\n") + line;
   }
 }

@@ -37,6 +37,8 @@ void vtkSilhouettePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Smooth: " << this->Smooth << "\n";
   os << indent << "Technique: " << this->Technique << "\n";
+  os << indent << "LeaveOutFlatFaces: " << this->LeaveOutFlatFaces << "\n";
+  os << indent << "SplitLargeFaces: " << this->SplitLargeFaces << "\n";
   os << indent << "DepthScale: " << this->DepthScale << "\n";
   os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
   os << indent << "MeasureStages: " << this->MeasureStages << "\n";

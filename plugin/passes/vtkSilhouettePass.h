@@ -151,6 +151,20 @@ public:
 
   ///@{
   /**
+   * Of TECHNIQUE_FACES: draw no triangle that can have no line from anywhere, within flat parts; and draw one
+   * that is large on the screen as three thin ones along its edges, where that covers fewer pixels. The
+   * picture is the same. Default: on, on.
+   */
+  vtkSetMacro(LeaveOutFlatFaces, bool);
+  vtkGetMacro(LeaveOutFlatFaces, bool);
+  vtkBooleanMacro(LeaveOutFlatFaces, bool);
+  vtkSetMacro(SplitLargeFaces, bool);
+  vtkGetMacro(SplitLargeFaces, bool);
+  vtkBooleanMacro(SplitLargeFaces, bool);
+  ///@}
+
+  ///@{
+  /**
    * Pixels of pass 1 for one of the view, in each direction: how exactly a line ends where it is hidden. 0
    * (default): 4, less for views of more than a million pixels.
    */
@@ -264,6 +278,8 @@ private:
   double FeatureAngle = 60.0;
   bool Smooth = true;
   int Technique = TECHNIQUE_RECTANGLES;
+  bool LeaveOutFlatFaces = true;
+  bool SplitLargeFaces = true;
   int DepthScale = 0;
   double WeldTolerance = 0.0;
   bool MeasureStages = false;

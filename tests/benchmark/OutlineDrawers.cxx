@@ -116,6 +116,7 @@ public:
     this->window->AddRenderer(this->glowing);
   }
   std::string getName() const override { return "vtkOutlineGlowPass"; }
+  bool hasLineWidth() const override { return false; }
 
   void useMaskColours() override
   {

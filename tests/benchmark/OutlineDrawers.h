@@ -26,6 +26,8 @@ public:
   /// Width of the lines in pixels, where the way of drawing has any.
   virtual void setLineWidth(double width) { static_cast<void>(width); }
 
+  virtual bool hasLineWidth() const { return true; }
+
   /// Draws white surfaces without light on white, so that the lines are what is black.
   virtual void useMaskColours();
 

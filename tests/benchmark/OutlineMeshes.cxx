@@ -17,10 +17,6 @@
 namespace shadow::benchmarks
 {
 
-namespace
-{
-
-/// Triangles that share points, as every way of drawing outlines needs them.
 Mesh clean(vtkAlgorithm* source)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -33,8 +29,6 @@ Mesh clean(vtkAlgorithm* source)
   mesh->SetPolys(merged->GetOutput()->GetPolys());
   return mesh;
 }
-
-} // namespace
 
 Mesh makeRings()
 {

@@ -21,6 +21,8 @@
 
 #include "OutlineDrawers.h"
 #include "OutlineError.h"
+#include "OutlineFaceOptions.h"
+#include "OutlineLayouts.h"
 #include "OutlineMeshes.h"
 #include "OutlineTruth.h"
 #include "RefinedMesh.h"
@@ -156,31 +158,43 @@ void compareStages(const std::string& what, const Mesh& mesh, const std::vector<
   }
 }
 
-/// How wrong lines are, at the one of the judged widths that fits them best.
-struct Verdict
+/// Certain line pixels that are not drawn, and drawn ones that are no line.
+std::size_t countWrong(const OutlineError& error)
 {
-  double width = 0.0;
-  OutlineError error;
-};
+  return error.missing + error.extra;
+}
 
-Verdict judge(OutlineDrawer& drawer, const std::vector<double>& widths, bool setsWidth)
+/// Of what draws lines of no width in particular: the width that fits it best.
+void printBestWidth(const OutlineTruth& truth, const std::vector<unsigned char>& lines)
+{
+  constexpr int widest = 8;
+  int best = 1;
+  for (int width = 2; width <= widest; ++width)
+  {
+    if (countWrong(compareOutline(truth, lines, width)) < countWrong(compareOutline(truth, lines, best)))
+    {
+      best = width;
+    }
+  }
+  const OutlineError error = compareOutline(truth, lines, best);
+  std::printf("; held against %d pixels, where it is best, %zu of %zu missing, %zu of %zu no line", best,
+              error.missing, error.certain, error.extra, error.drawn);
+}
+
+/// Holds lines against the truth. A pixel is drawn when it has changed by half or more from the picture
+/// without lines, in colours made for that.
+void judge(OutlineDrawer& drawer, double width)
 {
   const OutlineTruth truth = makeTruth(drawer);
   drawer.useMaskColours();
-  Verdict best;
-  for (const double width : widths)
+  const std::vector<unsigned char> lines = drawer.readLines();
+  const OutlineError error = compareOutline(truth, lines, width);
+  std::printf("; %5zu wrong: %5zu of %5zu certain line pixels missing, %5zu of %5zu drawn are no line",
+              countWrong(error), error.missing, error.certain, error.extra, error.drawn);
+  if (!drawer.hasLineWidth())
   {
-    if (setsWidth)
-    {
-      drawer.setLineWidth(width);
-    }
-    const OutlineError error = compareOutline(truth, drawer.readLines(), width);
-    if (best.width == 0.0 || error.missing + error.extra < best.error.missing + best.error.extra)
-    {
-      best = {width, error};
-    }
+    printBestWidth(truth, lines);
   }
-  return best;
 }
 
 void compareDrawers(const std::string& what, const Mesh& mesh, double width, const Effort& effort)
@@ -212,17 +226,8 @@ void compareDrawers(const std::string& what, const Mesh& mesh, double width, con
     std::printf("  %-22s %7.2f ms a frame", drawers[i]->getName().c_str(), median(times[i]));
     if (i > 0)
     {
-      const bool glows = i + 1 == drawers.size();
       lookAt(*drawers[i]);
-      const Verdict verdict =
-          judge(*drawers[i], glows ? std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8} : std::vector<double>{width},
-                !glows);
-      std::printf("; %5zu of %5zu certain line pixels missing, %5zu of %5zu drawn are no line",
-                  verdict.error.missing, verdict.error.certain, verdict.error.extra, verdict.error.drawn);
-      if (glows)
-      {
-        std::printf(" (held against %g pixels, where it is best)", verdict.width);
-      }
+      judge(*drawers[i], width);
     }
     std::printf("\n");
   }
@@ -259,6 +264,8 @@ int main(int argc, char** argv)
   }
   std::printf("%d x %d pixels, median of %d rounds of %d frames, milliseconds\n", effort.width, effort.height,
               effort.rounds, effort.framesATurn);
+  printLayouts();
+  compareFaceOptions(effort.rounds, effort.width, effort.height);
   const Mesh rings = makeRings();
   compareStages("Valient's 30,000 visible polygons: twelve rings", rings, {2.0, 6.0}, effort);
   const Mesh model = readModel("teapot");

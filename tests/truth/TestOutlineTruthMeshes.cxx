@@ -2,6 +2,7 @@
 #include <ostream>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -60,7 +61,10 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MeshOutline);
 TEST_P(MeshOutline, EveryWidth_LinesAreTrue)
 {
   this->scene.window->Render();
-  expectTrueLines(this->scene, this->scene.makeOutline());
+  const OutlineTruth truth = this->scene.makeOutline();
+  expectTrueLines(this->scene, truth);
+  this->scene.outlines->SetTechniqueToFaces();
+  expectTrueLines(this->scene, truth, "Faces");
 }
 
 TEST_P(MeshOutline, Creases_LinesAreTrue)
@@ -73,7 +77,25 @@ TEST_P(MeshOutline, Creases_LinesAreTrue)
   // A crease has its surface on both sides, which shows by its depth that it is there but not what covers the
   // line between: hidden by less than this a crease may be drawn.
   options.offsets.hidden = 0.25;
-  expectTrueLines(this->scene, this->scene.makeOutline(options));
+  const OutlineTruth truth = this->scene.makeOutline(options);
+  expectTrueLines(this->scene, truth);
+  this->scene.outlines->SetTechniqueToFaces();
+  expectTrueLines(this->scene, truth, "Faces");
+}
+
+TEST_P(MeshOutline, FaceOptions_SamePicture)
+{
+  this->scene.outlines->SetTechniqueToFaces();
+  for (const double zoom : {1.0, 3.0})
+  {
+    this->scene.renderer->GetActiveCamera()->Zoom(zoom);
+    this->scene.outlines->SplitLargeFacesOff();
+    this->scene.outlines->LeaveOutFlatFacesOff();
+    const std::vector<unsigned char> plain = this->scene.renderLines(4.0);
+    this->scene.outlines->SplitLargeFacesOn();
+    this->scene.outlines->LeaveOutFlatFacesOn();
+    EXPECT_TRUE(this->scene.renderLines(4.0) == plain) << "zoom " << zoom;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshOutline,

@@ -225,7 +225,10 @@ TEST_P(SceneOutline, EveryWidth_LinesAreTrue)
   GetParam().build(scene);
   scene.renderer->ResetCameraClippingRange();
   scene.window->Render();
-  expectTrueLines(scene, scene.makeOutline());
+  const OutlineTruth truth = scene.makeOutline();
+  expectTrueLines(scene, truth);
+  scene.outlines->SetTechniqueToFaces();
+  expectTrueLines(scene, truth, "Faces");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneOutline, testing::ValuesIn(makeSceneCases()),

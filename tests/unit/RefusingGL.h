@@ -1,0 +1,27 @@
+#pragma once
+
+namespace shadow::test
+{
+
+/// While it lives, the GL says that shaders can look up so many texels of a buffer and no more.
+class TexelLimit
+{
+public:
+  explicit TexelLimit(int texels);
+  ~TexelLimit();
+  TexelLimit(const TexelLimit&) = delete;
+  TexelLimit& operator=(const TexelLimit&) = delete;
+};
+
+/// While it lives, the GL takes no framebuffer: whoever asks is told that it is not supported.
+/// @pre VTK has loaded the GL's functions
+class FramebufferRefusal
+{
+public:
+  FramebufferRefusal();
+  ~FramebufferRefusal();
+  FramebufferRefusal(const FramebufferRefusal&) = delete;
+  FramebufferRefusal& operator=(const FramebufferRefusal&) = delete;
+};
+
+} // namespace shadow::test
