@@ -84,7 +84,11 @@ if(VTKSHADOW_HEADLESS)
     PUBLIC shadow_test_scene shadow_drawable shadow_test_meshes PRIVATE shadow_warnings)
 
   # What is drawn, and with what on a GL that can do less.
-  add_executable(test_gpu_silhouettes test_gpu_silhouettes.cxx test_gpu_methods.cxx)
+  add_executable(test_gpu_silhouettes
+    UploadCounter.cxx
+    test_deforming_mesh.cxx
+    test_gpu_methods.cxx
+    test_gpu_silhouettes.cxx)
   target_link_libraries(test_gpu_silhouettes PRIVATE
     shadow_silhouette_probe shadow_ball_scene GTest::gtest_main shadow_warnings)
   vtk_module_autoinit(TARGETS test_gpu_silhouettes MODULES VTK::RenderingCore VTK::RenderingOpenGL2)

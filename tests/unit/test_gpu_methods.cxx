@@ -14,8 +14,6 @@
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 
 #include "BallScene.h"
@@ -256,40 +254,6 @@ TEST(GPUMethods, WhatMoves_EveryMethodFollows)
       each->renderer->RemoveActor(each->ballActor);
     }
     expectSame();
-  }
-}
-
-TEST(GPUMethods, MeshThatDeforms_EveryMethodFollows)
-{
-  BallScene scene;
-  scene.ball->Update();
-  vtkNew<vtkPolyData> polyData;
-  polyData->DeepCopy(scene.ball->GetOutput());
-  vtkPolyDataMapper::SafeDownCast(scene.ballActor->GetMapper())->SetInputData(polyData);
-  std::vector<Pixels> expected;
-  for (const int method : allMethods(scene.pass))
-  {
-    SCOPED_TRACE(nameOf(method));
-    scene.pass->SetSilhouetteMethod(method);
-    for (std::size_t step = 0; step < 4; ++step)
-    {
-      const double bulge = 0.2 * static_cast<double>(step);
-      for (vtkIdType i = 0; i < polyData->GetNumberOfPoints(); ++i)
-      {
-        double point[3];
-        scene.ball->GetOutput()->GetPoint(i, point);
-        const double scale = 1.0 + bulge * std::sin(7.0 * point[0]) * std::cos(5.0 * point[1]);
-        polyData->GetPoints()->SetPoint(i, scale * point[0], scale * point[1], scale * point[2]);
-      }
-      polyData->GetPoints()->Modified();
-      const Pixels mask = scene.renderMask();
-      if (expected.size() <= step)
-      {
-        expected.push_back(mask);
-        EXPECT_TRUE(step == 0 || mask != expected[step - 1]) << "nothing moves";
-      }
-      EXPECT_LE(countDifferent(mask, expected[step]), 2u) << "step " << step;
-    }
   }
 }
 
