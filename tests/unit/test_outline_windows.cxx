@@ -184,6 +184,26 @@ TEST(OutlineReport, BadData_DrawnWithoutAndToldOnce)
   EXPECT_EQ(messages->errors, 0);
 }
 
+TEST(OutlineReport, OneOfTwoRenderersWithBadData_ToldOnce)
+{
+  OutlineBall scene;
+  vtkNew<vtkRenderer> good;
+  good->AddActor(scene.table);
+  good->SetPass(scene.outlines);
+  scene.window->AddRenderer(good);
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  source->GetOutput()->GetPoints()->SetPoint(5, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  scene.addPolyData(source->GetOutput());
+  const auto messages = MessageCounter::observe(scene.outlines);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    scene.window->Render();
+  }
+  EXPECT_EQ(messages->warnings, 1) << messages->last;
+  EXPECT_EQ(messages->errors, 0) << messages->last;
+}
+
 TEST(OutlineReport, TranslucentAndWireframe_SkippedWithReason)
 {
   OutlineBall scene;
