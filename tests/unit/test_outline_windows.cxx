@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkPlaneSource.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
+#include <vtkTexture.h>
 
 #include "OutlineBall.h"
 
@@ -236,4 +239,27 @@ TEST(OutlineReport, OwnDelegate_IsRefused)
   EXPECT_EQ(pass->GetDelegatePass(), nullptr);
   EXPECT_FALSE(pass->GetLineMask(nullptr));
   EXPECT_EQ(messages->errors, 2);
+}
+
+// VTK leaves out what has no alpha, and takes the actor for opaque, if something has.
+TEST(OutlineWindow, TextureWithHoles_HidesLinesAsWholeFaces)
+{
+  OutlineBall scene;
+  const std::size_t lines = countValue(scene.renderLines(), 255);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(16, 16, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* texels = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill_n(texels, 4 * 16 * 16, static_cast<unsigned char>(0));
+  std::fill_n(texels, 4, static_cast<unsigned char>(255));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-9.0, -9.0, 2.5);
+  plane->SetPoint1(9.0, -9.0, 2.5);
+  plane->SetPoint2(-9.0, 9.0, 2.5);
+  scene.addSource(plane)->SetTexture(texture);
+  EXPECT_GT(lines, fewestLinePixels);
+  EXPECT_EQ(countValue(scene.renderLines(), 255), 0u);
+  EXPECT_EQ(scene.outlines->GetStatus(), vtkSilhouettePass::STATUS_OK);
 }
