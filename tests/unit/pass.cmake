@@ -87,6 +87,7 @@ if(VTKSHADOW_HEADLESS)
   add_executable(test_gpu_silhouettes
     UploadCounter.cxx
     test_deforming_mesh.cxx
+    test_depth_bias.cxx
     test_gpu_methods.cxx
     test_gpu_silhouettes.cxx)
   target_link_libraries(test_gpu_silhouettes PRIVATE
