@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,13 +16,8 @@
 #include <vtkProperty.h>
 
 #include "BallScene.h"
-#include "GeometryTexels.h"
-#include "Light.h"
-#include "OpenGL.h"
-#include "SEDGeometryDrawable.h"
-#include "SilhouetteFinder.h"
-#include "SilhouetteProbe.h"
-#include "TestMeshes.h"
+#include "DeformedMesh.h"
+#include "SilhouetteMethods.h"
 #include "UploadCounter.h"
 
 using namespace shadow;
@@ -32,39 +25,6 @@ using namespace shadow::test;
 
 namespace
 {
-
-using Move = std::function<glm::dvec3(const glm::dvec3&)>;
-
-TriangleSoup moved(TriangleSoup soup, const Move& move)
-{
-  for (glm::dvec3& point : soup.points)
-  {
-    point = move(point);
-  }
-  return soup;
-}
-
-/// No coordinate changes its order.
-glm::dvec3 stretch(const glm::dvec3& point)
-{
-  return point * glm::dvec3(1.5, 1.25, 1.125);
-}
-
-glm::dvec3 turn(const glm::dvec3& point)
-{
-  return {-point.y, point.x, point.z};
-}
-
-Move bulge(double height)
-{
-  return [height](const glm::dvec3& point)
-  { return point * (1.0 + height * std::sin(7.0 * point.x) * std::cos(5.0 * point.y)); };
-}
-
-TriangleSoup makeTestTorus()
-{
-  return makeTorus(0.4, 0.15, 40, 20);
-}
 
 void show(vtkPolyData* polyData, const TriangleSoup& soup)
 {
@@ -112,22 +72,6 @@ public:
   vtkNew<vtkPolyData> polyData;
 };
 
-std::vector<int> allMethods(vtkShadowVolumePass* pass)
-{
-  std::vector<int> methods;
-  for (int method = pass->GetSilhouetteMethodMinValue(); method <= pass->GetSilhouetteMethodMaxValue();
-       ++method)
-  {
-    methods.push_back(method);
-  }
-  return methods;
-}
-
-std::string nameOf(int method)
-{
-  return toString(static_cast<SilhouetteMethod>(method));
-}
-
 std::size_t countUploaded(vtkRenderWindow* window)
 {
   window->MakeCurrent();
@@ -137,56 +81,6 @@ std::size_t countUploaded(vtkRenderWindow* window)
 }
 
 } // namespace
-
-TEST(GeometryTexels, MeshThatMoved_OnlyPositionsAreCopied)
-{
-  const TriangleSoup soup = makeTestTorus();
-  const SEDGeometry before = build(soup);
-  SilhouetteProbe probe(before); // a GL context
-  GeometryTexels texels;
-  std::string error;
-  ASSERT_TRUE(texels.upload(before, error)) << error;
-
-  SEDGeometryOptions options;
-  options.previous = &before;
-  const SEDGeometry stretched = build(moved(soup, stretch), options);
-  ASSERT_TRUE(isSameMeshMoved(before, stretched));
-  EXPECT_EQ(texels.update(stretched), stretched.getPositions().size());
-
-  options.previous = &stretched;
-  const SEDGeometry turned = build(moved(soup, turn), options);
-  ASSERT_TRUE(isSameMeshMoved(stretched, turned));
-  EXPECT_EQ(texels.update(turned), turned.getPositions().size() + turned.getTriangles().size());
-  EXPECT_EQ(texels.update(turned), turned.getPositions().size());
-  texels.release();
-}
-
-TEST(SEDGeometryDrawable, MeshThatMoved_OnlyPositionsAreCopied)
-{
-  const TriangleSoup soup = makeTestTorus();
-  const SEDGeometry before = build(soup);
-  SilhouetteProbe probe(before);
-  SEDGeometryDrawable drawable(before);
-  const std::size_t vertices = drawable.getVertexCount();
-  const std::size_t triangleBytes = 12 * before.getTriangles().size();
-  const std::size_t memory = drawable.getMemorySize();
-  EXPECT_EQ(memory, 12 * vertices + triangleBytes);
-
-  SEDGeometryOptions options;
-  options.previous = &before;
-  const SEDGeometry stretched = build(moved(soup, stretch), options);
-  EXPECT_EQ(drawable.update(stretched), 12 * vertices);
-  drawable.getVolumeVertexBuffer();
-  const std::size_t volumeBytes = 32 * before.getPositions().size();
-  EXPECT_EQ(drawable.getMemorySize(), memory + volumeBytes);
-  EXPECT_EQ(drawable.update(before), 12 * vertices + volumeBytes);
-
-  const SEDGeometry turned = build(moved(soup, turn), options);
-  EXPECT_EQ(drawable.update(turned), 12 * drawable.getVertexCount() + volumeBytes + triangleBytes);
-  EXPECT_EQ(drawable.update(turned), 12 * drawable.getVertexCount() + volumeBytes);
-  drawable.release(false);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-}
 
 namespace
 {
