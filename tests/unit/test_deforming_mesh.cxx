@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 
 #include "BallScene.h"
 #include "DeformedMesh.h"
+#include "OutlineBall.h"
 #include "SilhouetteMethods.h"
 #include "UploadCounter.h"
 
@@ -212,6 +214,34 @@ TEST(DeformingMesh, MaskIsThatOfANewPass_ByEveryMethod)
         fresh->ReleaseGraphicsResources(scene.window);
       }
       EXPECT_GE(seen + 4, steps.size()) << "nothing moves";
+    }
+  }
+}
+
+TEST(DeformingMesh, LinesAreThoseOfANewPass_ByBothTechniques)
+{
+  const std::vector<Step> steps = makeSteps();
+  for (const int technique : {vtkSilhouettePass::TECHNIQUE_RECTANGLES, vtkSilhouettePass::TECHNIQUE_FACES})
+  {
+    DeformingScene scene(steps.front().soup);
+    vtkNew<vtkSilhouettePass> kept;
+    kept->SetTechnique(technique);
+    const auto renderLines = [&](vtkSilhouettePass* by)
+    {
+      scene.renderer->SetPass(by);
+      scene.window->Render();
+      return readLines(by);
+    };
+    for (const Step& step : steps)
+    {
+      SCOPED_TRACE(step.name);
+      show(scene.polyData, step.soup);
+      const Pixels lines = renderLines(kept);
+      vtkNew<vtkSilhouettePass> fresh;
+      fresh->SetTechnique(technique);
+      EXPECT_EQ(countDifferent(lines, renderLines(fresh)), 0u);
+      EXPECT_GT(countValue(lines, 255), fewestLinePixels / 2);
+      fresh->ReleaseGraphicsResources(scene.window);
     }
   }
 }

@@ -14,7 +14,6 @@
 #include "SilhouetteComparison.h"
 #include "TestLights.h"
 #include "TestMeshes.h"
-#include "VolumeOracle.h"
 
 namespace shadow::test
 {

@@ -14,7 +14,6 @@
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
-#include <vtkPolyDataMapper.h>
 
 #include "BallScene.h"
 #include "Capabilities.h"
