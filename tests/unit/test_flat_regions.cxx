@@ -14,6 +14,7 @@
 #include "SilhouetteComparison.h"
 #include "TestLights.h"
 #include "TestMeshes.h"
+#include "VolumeOracle.h"
 
 namespace shadow::test
 {
