@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "CountableVolumes.h"
+#include "Revision.h"
 
 namespace shadow
 {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "Revision.h"
+
 namespace shadow
 {
 
@@ -14,21 +16,6 @@ namespace
 {
 
 using Corners = std::array<std::uint32_t, 3>;
-
-/// Whether one order of the corners is a rotation (1) or a reflection (-1) of the other; 0: other corners.
-int compareCorners(const Corners& left, const Corners& right)
-{
-  for (std::size_t turn = 0; turn < 3; ++turn)
-  {
-    if (left[0] == right[turn])
-    {
-      const std::uint32_t next = right[(turn + 1) % 3];
-      const std::uint32_t last = right[(turn + 2) % 3];
-      return left[1] == next && left[2] == last ? 1 : left[1] == last && left[2] == next ? -1 : 0;
-    }
-  }
-  return 0;
-}
 
 bool isMirrored(const glm::dmat4& modelToWorld)
 {
@@ -69,34 +56,6 @@ Edge placeEdge(const VETRange& range, Edge edge)
     std::swap(edge.vertices[0], edge.vertices[1]);
   }
   return edge;
-}
-
-/// Whether the geometry has the vertices, edges and oriented triangles that were collected for the range.
-bool isCollected(const VETCollection& collection, const VETRange& range)
-{
-  const SEDGeometry& geometry = *range.geometry;
-  std::size_t edgePlace = range.firstEdge;
-  for (const Edge& modelEdge : geometry.getEdges())
-  {
-    const Edge edge = placeEdge(range, modelEdge);
-    const Edge& collected = collection.edges[edgePlace++];
-    if (edge.vertices != collected.vertices || edge.triangles != collected.triangles)
-    {
-      return false;
-    }
-  }
-  for (std::size_t triangle = 0; triangle < geometry.getTriangles().size(); ++triangle)
-  {
-    const std::size_t place = range.firstTriangle + triangle;
-    const int order = compareCorners(cornersOf(range, triangle), collection.triangles[place]);
-    const bool sameSide =
-        (geometry.getReversed().test(triangle) != range.mirrored) == collection.reversed.test(place);
-    if (order != (sameSide ? 1 : -1))
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 /// @return  whether any corner changed its place
@@ -175,13 +134,9 @@ bool VETCollector::hasSameTopology() const
   const std::vector<VETRange>& ranges = this->collection.ranges;
   return this->collection.topologyRevision != 0 &&
          std::equal(ranges.begin(), ranges.end(), this->found.begin(), this->found.end(),
-                    [this](const VETRange& known, const VETRange& now)
-                    {
+                    [](const VETRange& known, const VETRange& now) {
                       return known.mirrored == now.mirrored &&
-                             (known.geometry == now.geometry ||
-                              (known.countVertices() == now.countVertices() &&
-                               known.countTriangles() == now.countTriangles() &&
-                               known.countEdges() == now.countEdges() && isCollected(this->collection, now)));
+                             isSameMeshMoved(*known.geometry, *now.geometry);
                     });
 }
 

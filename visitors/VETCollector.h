@@ -23,8 +23,8 @@ public:
   {
     Nothing,
     Positions, ///< vertices of some ranges moved: their positionRevision rose, and orderRevision where
-               ///< corners changed places. A mesh that was built anew with the same vertices, edges and
-               ///< oriented triangles counts as moved, whatever node holds it
+               ///< corners changed places. A geometry counts as moved, whatever node holds it, where
+               ///< isSameMeshMoved()
     Everything ///< topologyRevision and all revisions of ranges rose
   };
 

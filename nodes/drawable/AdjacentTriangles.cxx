@@ -1,5 +1,6 @@
 #include "AdjacentTriangles.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -25,6 +26,7 @@ std::vector<Hexagon> makeWithoutNeighbours(const SEDGeometry& geometry)
     {
       std::swap(corners[1], corners[2]);
     }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     triangles.push_back({corners[0], corners[0], corners[1], corners[1], corners[2], corners[2]});
   }
   return triangles;

@@ -12,7 +12,8 @@ namespace shadow
 ///
 /// Corners 0, 2 and 4 are the triangle as it is oriented, each followed by the third vertex of the neighbour
 /// across the edge that starts there. A border has no neighbour: the corner stands there once more, which no
-/// neighbour's third vertex can be.
+/// neighbour's third vertex can be. The smallest corner comes first, so that a mesh that has moved has the
+/// same.
 ///
 /// @par Memory  24 bytes a triangle
 /// @par Source  Zerari & Babahenini 2011, section 5.2

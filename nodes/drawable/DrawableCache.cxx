@@ -7,18 +7,9 @@ namespace shadow
 
 SEDGeometryDrawable& DrawableCache::getGeometry(const std::shared_ptr<const SEDGeometry>& geometry)
 {
-  GeometryEntry& entry = this->geometries[geometry.get()];
-  if (entry.drawable == nullptr || entry.geometry.lock() != geometry)
-  {
-    if (entry.drawable != nullptr)
-    {
-      entry.drawable->release(false);
-    }
-    entry.drawable = std::make_unique<SEDGeometryDrawable>(*geometry);
-    entry.geometry = geometry;
-  }
-  entry.used = true;
-  return *entry.drawable;
+  return *this->geometries.get(
+      geometry, [&] { return std::make_unique<SEDGeometryDrawable>(*geometry); },
+      [&](SEDGeometryDrawable& drawable) { drawable.update(*geometry); });
 }
 
 ReachableBitsBuffer& DrawableCache::getReachableBits(const PathState& path, std::size_t vertices)
@@ -47,17 +38,14 @@ ShadowVolumeDrawable& DrawableCache::getVolume(const PathLightState& light, std:
 
 void DrawableCache::sweep()
 {
-  sweepUnused(this->geometries, [](GeometryEntry& entry) { entry.drawable->release(false); });
+  this->geometries.sweep();
   sweepUnused(this->reachableBits, [](ReachableBitsBuffer& buffer) { buffer.release(false); });
   sweepUnused(this->volumes, [](ShadowVolumeDrawable& volume) { volume.release(false); });
 }
 
 void DrawableCache::release(bool contextLost)
 {
-  for (auto& [key, entry] : this->geometries)
-  {
-    entry.drawable->release(contextLost);
-  }
+  this->geometries.release(contextLost);
   for (auto& [key, buffer] : this->reachableBits)
   {
     buffer.release(contextLost);
@@ -66,18 +54,13 @@ void DrawableCache::release(bool contextLost)
   {
     volume.release(contextLost);
   }
-  this->geometries.clear();
   this->reachableBits.clear();
   this->volumes.clear();
 }
 
 std::size_t DrawableCache::getMemorySize() const
 {
-  std::size_t bytes = 0;
-  for (const auto& [key, entry] : this->geometries)
-  {
-    bytes += entry.drawable->getMemorySize();
-  }
+  std::size_t bytes = this->geometries.getMemorySize();
   for (const auto& [key, buffer] : this->reachableBits)
   {
     bytes += buffer.getMemorySize();

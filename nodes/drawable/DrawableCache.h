@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "KeptByMesh.h"
 #include "SEDGeode.h"
 #include "SEDGeometryDrawable.h"
 #include "ShadowVolumeDrawable.h"
@@ -21,6 +22,7 @@ public:
   DrawableCache(const DrawableCache&) = delete;
   DrawableCache& operator=(const DrawableCache&) = delete;
 
+  /// Of a mesh that has moved positions only are copied, and what else depends on them.
   SEDGeometryDrawable& getGeometry(const std::shared_ptr<const SEDGeometry>& geometry);
 
   /// @param vertices  see ReachableBitsBuffer::upload()
@@ -38,13 +40,7 @@ public:
   std::size_t getMemorySize() const;
 
 private:
-  struct GeometryEntry
-  {
-    std::weak_ptr<const SEDGeometry> geometry; ///< guards against another geometry at the same address
-    std::unique_ptr<SEDGeometryDrawable> drawable;
-    bool used = false; ///< since the last sweep
-  };
-  std::map<const SEDGeometry*, GeometryEntry> geometries;
+  KeptByMesh<SEDGeometryDrawable> geometries;
   std::map<const PathState*, ReachableBitsBuffer> reachableBits;
   std::map<std::pair<const PathLightState*, std::size_t>, ShadowVolumeDrawable> volumes;
 };

@@ -10,7 +10,6 @@
 #include "LightUniforms.h"
 #include "OpenGL.h"
 #include "ShadowVolume.h"
-#include "SweepUnused.h"
 
 namespace shadow
 {
@@ -25,34 +24,18 @@ bool GPUSilhouette::begin(const Frame& theFrame, std::string& /*error*/)
 bool GPUSilhouette::prepare(const Surface& surface, std::string& error)
 {
   const std::shared_ptr<const SEDGeometry>& geometry = surface.geode->getSharedGeometry();
-  Entry& entry = this->tables[geometry.get()];
-  entry.used = true;
-  if (entry.geometry == geometry)
+  const auto make = [&]
   {
-    return true;
-  }
-  entry.geometry = geometry;
-  const auto moved = std::find_if(this->tables.begin(), this->tables.end(),
-                                  [&](const auto& other)
-                                  {
-                                    // Kept by this table alone: gone from the scene.
-                                    return !other.second.used && other.second.geometry.use_count() == 1 &&
-                                           isSameMeshMoved(*other.second.geometry, *geometry);
-                                  });
-  if (moved != this->tables.end())
-  {
-    entry.texels = std::move(moved->second.texels);
-    entry.texels->update(*moved->second.geometry, *geometry);
-    this->tables.erase(moved);
-    return true;
-  }
-  entry.texels = std::make_unique<GeometryTexels>();
-  if (!entry.texels->upload(*geometry, error))
-  {
-    entry.geometry.reset();
-    return false;
-  }
-  return true;
+    auto texels = std::make_unique<GeometryTexels>();
+    if (!texels->upload(*geometry, error))
+    {
+      texels->release();
+      texels.reset();
+    }
+    return texels;
+  };
+  const auto update = [&](GeometryTexels& texels) { texels.update(*geometry); };
+  return this->tables.get(geometry, make, update) != nullptr;
 }
 
 bool GPUSilhouette::finishPreparing(std::string& /*error*/)
@@ -62,7 +45,7 @@ bool GPUSilhouette::finishPreparing(std::string& /*error*/)
 
 GeometryTexels& GPUSilhouette::getTables(const Surface& surface)
 {
-  return *this->tables.at(&surface.geode->getGeometry()).texels;
+  return this->tables.at(surface.geode->getGeometry());
 }
 
 void GPUSilhouette::bindFacing(vtkShaderProgram* program, const Surface& surface,
@@ -238,26 +221,17 @@ void GPUSilhouette::unbind()
 
 void GPUSilhouette::sweep()
 {
-  sweepUnused(this->tables, [](Entry& entry) { entry.texels->release(false); });
+  this->tables.sweep();
 }
 
 void GPUSilhouette::release(bool contextLost)
 {
-  for (auto& [key, entry] : this->tables)
-  {
-    entry.texels->release(contextLost);
-  }
-  this->tables.clear();
+  this->tables.release(contextLost);
 }
 
 std::size_t GPUSilhouette::getMemorySize() const
 {
-  std::size_t bytes = 0;
-  for (const auto& [key, entry] : this->tables)
-  {
-    bytes += entry.texels->getMemorySize();
-  }
-  return bytes;
+  return this->tables.getMemorySize();
 }
 
 } // namespace shadow

@@ -12,6 +12,7 @@
 #include "DrawableCache.h"
 #include "FaceCounter.h"
 #include "GeometryTexels.h"
+#include "KeptByMesh.h"
 #include "Light.h"
 #include "Node.h"
 #include "SEDGeode.h"
@@ -153,14 +154,8 @@ private:
   bool drawCap(const Surface& surface, const Light& light, StencilCount count, bool far);
   bool isMirrored(const Surface& surface) const;
 
-  struct Entry
-  {
-    std::shared_ptr<const SEDGeometry> geometry; ///< kept, since it may come back moved in the next frame
-    std::unique_ptr<GeometryTexels> texels;
-    bool used = false;
-  };
   Frame frame;
-  std::map<const SEDGeometry*, Entry> tables;
+  KeptByMesh<GeometryTexels> tables;
   /// Of the frame, by stage and switches: to ask VTK's cache costs a hash of the whole text, for each surface
   /// and light.
   std::map<std::pair<ShadowPrograms::Stage, std::string>, vtkShaderProgram*> programs;

@@ -1,6 +1,5 @@
 #include "GeometryTexels.h"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,18 +27,9 @@ bool fill(TexelArray& table, const std::vector<glm::uvec4>& texels, std::string&
 
 } // namespace
 
-bool isSameMeshMoved(const SEDGeometry& one, const SEDGeometry& other)
-{
-  const auto isSame = [](const Edge& edge, const Edge& otherEdge)
-  { return edge.vertices == otherEdge.vertices && edge.triangles == otherEdge.triangles; };
-  return one.getPositions().size() == other.getPositions().size() &&
-         one.getTriangles().size() == other.getTriangles().size() &&
-         std::equal(one.getEdges().begin(), one.getEdges().end(), other.getEdges().begin(),
-                    other.getEdges().end(), isSame);
-}
-
 bool GeometryTexels::upload(const SEDGeometry& geometry, std::string& error)
 {
+  this->rasterOrder = 0; // until all of it is there
   std::vector<glm::uvec4> texels;
   texels.reserve(geometry.getEdges().size());
   for (const Edge& edge : geometry.getEdges())
@@ -52,6 +42,7 @@ bool GeometryTexels::upload(const SEDGeometry& geometry, std::string& error)
     return false;
   }
   this->uploadPositions(geometry);
+  this->rasterOrder = geometry.getRasterOrder();
   return true;
 }
 
@@ -67,16 +58,16 @@ bool GeometryTexels::uploadTriangles(const SEDGeometry& geometry, std::string& e
   return fill(this->triangles, texels, error);
 }
 
-std::size_t GeometryTexels::update(const SEDGeometry& previous, const SEDGeometry& geometry)
+std::size_t GeometryTexels::update(const SEDGeometry& geometry)
 {
   this->uploadPositions(geometry);
   std::size_t copied = geometry.getPositions().size();
-  if (previous.getTriangles() != geometry.getTriangles() ||
-      previous.getReversed().getWords() != geometry.getReversed().getWords())
+  if (this->rasterOrder != geometry.getRasterOrder())
   {
     // There is room for them: as many as before.
     std::string error;
     this->uploadTriangles(geometry, error);
+    this->rasterOrder = geometry.getRasterOrder();
     copied += geometry.getTriangles().size();
   }
   return copied;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "SEDGeometry.h"
@@ -11,10 +12,6 @@ class vtkOpenGLState;
 
 namespace shadow
 {
-
-/// Whether two geometries have the same vertices, edges and number of triangles, at other places.
-/// @par Cost  O(1) when their sizes differ, else O(edges)
-bool isSameMeshMoved(const SEDGeometry& one, const SEDGeometry& other);
 
 /// The tables of a SEDGeometry as a shader looks them up by index: see shaders/geometryTexels.glsl.
 ///
@@ -33,9 +30,9 @@ public:
   /// Copies what of a mesh that moved is not the same: positions, and triangles where the raster order of
   /// one has changed with them.
   ///
-  /// @param previous  what was copied last; isSameMeshMoved() of the two holds
+  /// @pre    isSameMeshMoved() of the geometry and the one that was copied last
   /// @return texels that were copied
-  std::size_t update(const SEDGeometry& previous, const SEDGeometry& geometry);
+  std::size_t update(const SEDGeometry& geometry);
 
   /// Binds the tables to texture units @p firstUnit to @p firstUnit + 2 and sets the program's uniforms.
   /// @param program  name of a GL program that is current
@@ -55,6 +52,7 @@ private:
   TexelArray triangles{TexelFormat::UInt4};  ///< vertices in raster order; w = 1: oriented against it
   TexelArray edges{TexelFormat::UInt4};      ///< vertices, triangles: see Edge
   SceneFrame frame;
+  std::uint64_t rasterOrder = 0; ///< SEDGeometry::getRasterOrder() of the triangles that were copied
 };
 
 } // namespace shadow

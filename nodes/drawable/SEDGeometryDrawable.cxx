@@ -92,58 +92,68 @@ void drawRuns(vtkShaderProgram* program, const std::vector<FaceRun>& runs, bool 
 
 } // namespace
 
-void ReachableBitsBuffer::upload(const std::vector<glm::uvec2>& bits, std::size_t vertices)
-{
-  if (this->buffer == 0)
-  {
-    glGenBuffers(1, &this->buffer);
-  }
-  this->bytes = std::max(bits.size(), vertices) * sizeof(glm::uvec2);
-  glBindBuffer(GL_ARRAY_BUFFER, this->buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->bytes), nullptr, GL_STREAM_DRAW);
-  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bits.size() * sizeof(glm::uvec2)), bits.data());
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-}
-
-void ReachableBitsBuffer::release(bool contextLost)
-{
-  if (!contextLost)
-  {
-    glDeleteBuffers(1, &this->buffer);
-  }
-  this->buffer = 0;
-  this->revision = 0;
-}
-
 SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& sedGeometry)
-    : geometry(sedGeometry), triangles(sedGeometry.getTriangles().size())
+    : geometry(&sedGeometry), triangles(sedGeometry.getTriangles().size())
 {
-  const PrePassMesh mesh = giveTrianglesTheirOwnVertex(sedGeometry);
-  this->vertices = mesh.positions.size();
   glGenVertexArrays(1, &this->vertexArray);
-  glBindVertexArray(this->vertexArray);
   glGenBuffers(1, &this->vertexBuffer);
   glGenBuffers(1, &this->indexBuffer);
-  this->bytes = uploadBuffer(GL_ARRAY_BUFFER, this->vertexBuffer, mesh.positions, GL_STATIC_DRAW);
-  this->bytes += uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer, mesh.triangles, GL_STATIC_DRAW);
+  this->uploadPositions();
+}
+
+std::size_t SEDGeometryDrawable::update(const SEDGeometry& moved)
+{
+  this->geometry = &moved;
+  this->normalBytes = 0;
+  std::size_t copied = this->uploadPositions();
+  if (this->volumeVertexBuffer != 0)
+  {
+    copied += this->uploadVolumeVertices();
+  }
+  return copied;
+}
+
+std::size_t SEDGeometryDrawable::uploadPositions()
+{
+  PrePassMesh mesh = giveTrianglesTheirOwnVertex(*this->geometry);
+  this->vertices = mesh.positions.size();
+  glBindVertexArray(this->vertexArray);
+  std::size_t copied = uploadBuffer(GL_ARRAY_BUFFER, this->vertexBuffer, mesh.positions, GL_STATIC_DRAW);
+  if (this->rasterOrder != this->geometry->getRasterOrder())
+  {
+    this->rasterOrder = this->geometry->getRasterOrder();
+    copied += uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer, mesh.triangles, GL_STATIC_DRAW);
+    if (this->sortedIndexBuffer != 0)
+    {
+      copied += this->uploadSortedByWinding(std::move(mesh.triangles));
+      glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
+    }
+  }
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
+  return copied;
+}
+
+std::size_t SEDGeometryDrawable::uploadVolumeVertices()
+{
+  std::vector<glm::vec4> copies;
+  copies.reserve(2 * this->geometry->getPositions().size());
+  for (const glm::vec3& position : this->geometry->getPositions())
+  {
+    copies.emplace_back(position, 1.0f);
+    copies.emplace_back(position, 0.0f);
+  }
+  this->volumeBytes = uploadBuffer(GL_ARRAY_BUFFER, this->volumeVertexBuffer, copies, GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  return this->volumeBytes;
 }
 
 unsigned int SEDGeometryDrawable::getVolumeVertexBuffer()
 {
   if (this->volumeVertexBuffer == 0)
   {
-    std::vector<glm::vec4> copies;
-    copies.reserve(2 * this->geometry.getPositions().size());
-    for (const glm::vec3& position : this->geometry.getPositions())
-    {
-      copies.emplace_back(position, 1.0f);
-      copies.emplace_back(position, 0.0f);
-    }
     glGenBuffers(1, &this->volumeVertexBuffer);
-    this->bytes += uploadBuffer(GL_ARRAY_BUFFER, this->volumeVertexBuffer, copies, GL_STATIC_DRAW);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    this->uploadVolumeVertices();
   }
   return this->volumeVertexBuffer;
 }
@@ -152,8 +162,7 @@ const AdjacentTriangles& SEDGeometryDrawable::getAdjacentTriangles()
 {
   if (this->adjacentTriangles == nullptr)
   {
-    this->adjacentTriangles = std::make_unique<AdjacentTriangles>(this->geometry);
-    this->bytes += this->adjacentTriangles->getMemorySize();
+    this->adjacentTriangles = std::make_unique<AdjacentTriangles>(*this->geometry);
   }
   return *this->adjacentTriangles;
 }
@@ -184,8 +193,11 @@ bool SEDGeometryDrawable::drawFaces(vtkOpenGLState* state, vtkShaderProgram* pro
   if (this->normalBuffer == 0)
   {
     glGenBuffers(1, &this->normalBuffer);
-    this->bytes += uploadBuffer(GL_TEXTURE_BUFFER, this->normalBuffer,
-                                mesh.pack(this->geometry, TAMLayout::Shared), GL_STATIC_DRAW);
+  }
+  if (this->normalBytes == 0)
+  {
+    this->normalBytes = uploadBuffer(GL_TEXTURE_BUFFER, this->normalBuffer,
+                                     mesh.pack(*this->geometry, TAMLayout::Shared), GL_STATIC_DRAW);
     glBindBuffer(GL_TEXTURE_BUFFER, 0);
   }
   if (!this->normalTexels.attach(this->normalBuffer, 3 * this->triangles) ||
@@ -224,17 +236,16 @@ void SEDGeometryDrawable::draw(vtkShaderProgram* program, const ReachableBitsBuf
   glBindVertexArray(0);
 }
 
-void SEDGeometryDrawable::sortByWinding()
+// @post  the buffer is bound
+std::size_t
+SEDGeometryDrawable::uploadSortedByWinding(std::vector<std::array<std::uint32_t, 3>> prePassTriangles)
 {
-  PrePassMesh mesh = giveTrianglesTheirOwnVertex(this->geometry);
-  const FacingBits& reversed = this->geometry.getInputReversed();
-  const auto firstReversed = std::stable_partition(mesh.triangles.begin(), mesh.triangles.end(),
+  const FacingBits& reversed = this->geometry->getInputReversed();
+  const auto firstReversed = std::stable_partition(prePassTriangles.begin(), prePassTriangles.end(),
                                                    [&](const std::array<std::uint32_t, 3>& corners)
                                                    { return !reversed.test(corners[2]); });
-  this->unreversedTriangles = static_cast<std::size_t>(firstReversed - mesh.triangles.begin());
-  glGenBuffers(1, &this->sortedIndexBuffer);
-  this->bytes +=
-      uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer, mesh.triangles, GL_STATIC_DRAW);
+  this->unreversedTriangles = static_cast<std::size_t>(firstReversed - prePassTriangles.begin());
+  return uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer, prePassTriangles, GL_STATIC_DRAW);
 }
 
 void SEDGeometryDrawable::drawPrePass(vtkOpenGLState* state, vtkShaderProgram* program,
@@ -262,7 +273,8 @@ void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, unsigned int hiddenS
 {
   if (this->sortedIndexBuffer == 0)
   {
-    this->sortByWinding();
+    glGenBuffers(1, &this->sortedIndexBuffer);
+    this->uploadSortedByWinding(giveTrianglesTheirOwnVertex(*this->geometry).triangles);
   }
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer);
   state->vtkglEnable(GL_CULL_FACE);
@@ -294,6 +306,14 @@ void SEDGeometryDrawable::release(bool contextLost)
   }
   this->vertexArray = this->vertexBuffer = this->indexBuffer = this->volumeVertexBuffer = 0;
   this->sortedIndexBuffer = this->normalBuffer = 0;
+}
+
+std::size_t SEDGeometryDrawable::getMemorySize() const
+{
+  constexpr std::size_t triangleSize = 3 * sizeof(std::uint32_t);
+  return this->vertices * sizeof(glm::vec3) + this->triangles * triangleSize + this->volumeBytes +
+         this->normalBytes + (this->sortedIndexBuffer != 0 ? this->triangles * triangleSize : 0) +
+         (this->adjacentTriangles != nullptr ? this->adjacentTriangles->getMemorySize() : 0);
 }
 
 } // namespace shadow

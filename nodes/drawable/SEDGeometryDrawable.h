@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "AdjacentTriangles.h"
 #include "BufferTexels.h"
 #include "Node.h"
+#include "ReachableBitsBuffer.h"
 #include "SEDGeometry.h"
 
 class vtkOpenGLState;
@@ -21,31 +23,6 @@ namespace shadow
 class TopologyAwareMesh;
 struct FaceRun;
 
-/// What each side of a path's triangles faces, as a vertex attribute of the pre-pass.
-class ReachableBitsBuffer
-{
-public:
-  ReachableBitsBuffer() = default;
-  ReachableBitsBuffer(const ReachableBitsBuffer&) = delete;
-  ReachableBitsBuffer& operator=(const ReachableBitsBuffer&) = delete;
-
-  /// @param bits      a triangle, see PathState::reachableBits
-  /// @param vertices  of the SEDGeometryDrawable; those beyond the triangles' own are never looked at, but
-  /// are fetched
-  void upload(const std::vector<glm::uvec2>& bits, std::size_t vertices);
-
-  unsigned int getBuffer() const { return this->buffer; }
-  void release(bool contextLost);
-  std::size_t getMemorySize() const { return this->bytes; }
-
-  std::uint64_t revision = 0; ///< what was uploaded last
-  bool used = false;          ///< since the cache was swept last
-
-private:
-  unsigned int buffer = 0;
-  std::size_t bytes = 0;
-};
-
 /// The GPU copy of a SEDGeometry.
 ///
 /// For the volumes each vertex stands there twice: near and far copy. For the pre-pass each triangle has a
@@ -55,9 +32,17 @@ private:
 class SEDGeometryDrawable
 {
 public:
+  /// @param geometry  needed until update() or the last drawing
   explicit SEDGeometryDrawable(const SEDGeometry& geometry);
   SEDGeometryDrawable(const SEDGeometryDrawable&) = delete;
   SEDGeometryDrawable& operator=(const SEDGeometryDrawable&) = delete;
+
+  /// Goes over to the mesh after it has moved: copies positions, and the triangles where the raster order of
+  /// one has changed with them.
+  ///
+  /// @pre    isSameMeshMoved() of the geometry and the one so far
+  /// @return bytes that were copied
+  std::size_t update(const SEDGeometry& moved);
 
   /// Near and far copies for ShadowVolumeDrawable; made when first asked for.
   unsigned int getVolumeVertexBuffer();
@@ -86,7 +71,7 @@ public:
 
   /// Draws vertices for faces of a topology-aware mesh, with nothing but their numbers and what
   /// bindFaceTexels() and the shared layout give: see shaders/outlineFace.vert. @pre a vertex array is bound
-  /// @param mesh   made from the same geometry, always the same; uploaded when first asked for
+  /// @param mesh   made from the geometry, always the same for one; uploaded when first asked for
   /// @param runs   the faces to draw whole, each a triangle
   /// @param split  the faces to draw as three triangles, one for each edge
   /// @return false when the GL cannot look up a mesh of this size
@@ -99,14 +84,17 @@ public:
   /// Vertices of the pre-pass, those of the triangles first.
   std::size_t getVertexCount() const { return this->vertices; }
 
-  std::size_t getMemorySize() const { return this->bytes; }
+  std::size_t getMemorySize() const;
 
 private:
+  std::size_t uploadPositions();
+  std::size_t uploadVolumeVertices();
+  std::size_t uploadSortedByWinding(std::vector<std::array<std::uint32_t, 3>> prePassTriangles);
   void bind(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits);
   void drawCulled(vtkOpenGLState* state, unsigned int hiddenSide);
-  void sortByWinding();
 
-  const SEDGeometry& geometry;
+  const SEDGeometry* geometry;
+  std::uint64_t rasterOrder = 0; ///< of the triangles that were copied
   unsigned int vertexArray = 0;
   unsigned int vertexBuffer = 0;
   unsigned int indexBuffer = 0;
@@ -118,9 +106,10 @@ private:
   BufferTexels cornerTexels{BufferTexels::Number::Unsigned};
   BufferTexels normalTexels{BufferTexels::Number::Unsigned};
   unsigned int normalBuffer = 0; ///< TAMLayout::Shared
+  std::size_t normalBytes = 0;   ///< 0: they are not those of the geometry
+  std::size_t volumeBytes = 0;
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t bytes = 0;
 };
 
 } // namespace shadow

@@ -1,6 +1,7 @@
 #include "ShadowPrograms.h"
 
 #include <array>
+#include <limits>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -72,12 +73,19 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
                                                             geometry.c_str());
 }
 
+glm::vec2 depthBias(bool reversedDepth, bool asSides)
+{
+  // Relative to the distance, and so the same number of units everywhere: two in the last place. A power of
+  // two: w - w * rounding + w * rounding is w again, whatever is rounded on the way, while with 1.2e-7 one
+  // far end in 150 came to lie beyond the far plane.
+  const float rounding = asSides ? std::numeric_limits<float>::epsilon() : 0.0f;
+  return {1.0f - rounding, reversedDepth ? 0.0f : rounding};
+}
+
 void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides, const char* uniform)
 {
-  // Relative to the distance, and so the same number of units everywhere: two in the last place.
-  const float rounding = asSides ? 1.2e-7f : 0.0f;
-  const float bias[2] = {1.0f - rounding, reversedDepth ? 0.0f : rounding};
-  program->SetUniform2f(uniform, bias);
+  const glm::vec2 bias = depthBias(reversedDepth, asSides);
+  program->SetUniform2f(uniform, glm::value_ptr(bias));
 }
 
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)

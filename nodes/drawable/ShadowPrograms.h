@@ -51,9 +51,13 @@ private:
   vtkOpenGLRenderWindow* window;
 };
 
-/// Has a program draw at the depth that positions have, or, as sides of volumes, a few units of rounding
-/// farther: where a side starts at the edge of a lit surface it would else be a matter of rounding whether it
-/// is in front of that surface. @pre the program is current
+/// What depth is multiplied with, and what times w is added, so that positions keep their depth, or that
+/// sides of volumes lie a few units of rounding farther: where a side starts at the edge of a lit surface it
+/// would else be a matter of rounding whether it is in front of that surface.
+/// @post what is on the far plane stays there: the ends at infinity of volumes are not cut off
+glm::vec2 depthBias(bool reversedDepth, bool asSides);
+
+/// Has a program draw with that. @pre the program is current
 /// @param uniform  its name in the program
 void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides,
                   const char* uniform = "depthBias");

@@ -45,7 +45,8 @@ struct SEDGeometryOptions
   double weldTolerance = 0.0;
 
   /// The same mesh before it deformed, or any other: where it has the same triangles their order is taken
-  /// over, so that what was made for it elsewhere fits but for positions. Needed during the call only.
+  /// over, so that what was made for it elsewhere fits but for positions, and edges are not looked for again
+  /// where it has them: see isSameMeshMoved(). Needed during the call only.
   const SEDGeometry* previous = nullptr;
 };
 
@@ -135,6 +136,13 @@ public:
 
   const SEDGeometryReport& getReport() const { return this->report; }
 
+  /// Another number for each mesh, but for meshes of which isSameMeshMoved() holds; 0 for an empty one.
+  std::uint64_t getTopology() const { return this->topology; }
+
+  /// Another number for each mesh, but for those of one topology whose getTriangles(), getReversed() and
+  /// getInputReversed() are equal, too; 0 for an empty one.
+  std::uint64_t getRasterOrder() const { return this->rasterOrder; }
+
   /// What silhouette methods have prepared from this mesh; lives as long as the mesh, and its copies, do.
   PreparedData& getPreparedData() const { return *this->prepared; }
 
@@ -159,7 +167,19 @@ private:
   std::optional<glm::dvec4> commonPlane;
   std::shared_ptr<PreparedData> prepared = std::make_shared<PreparedData>();
   SEDGeometryReport report;
+  bool manifold = false; ///< no triangle had to be turned or cut off for OpenMesh to connect them
+  std::uint64_t topology = 0;
+  std::uint64_t rasterOrder = 0;
 };
+
+/// Whether two geometries are one mesh with its vertices at other places: one was built with the other as
+/// SEDGeometryOptions::previous, or with one that is, and has the same vertices, edges and oriented triangles
+/// in the same order. What was made from these alone fits both.
+/// @par Cost  O(1)
+inline bool isSameMeshMoved(const SEDGeometry& one, const SEDGeometry& other)
+{
+  return one.getTopology() == other.getTopology();
+}
 
 /// Builds the adjacency of a triangle soup: weld, drop degenerate triangles, connect through OpenMesh,
 /// orient, compute planes.

@@ -26,6 +26,13 @@ bool isFinite(const glm::dvec3& point)
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
+/// The same winding, with the smallest corner first: what follows depends on the winding alone.
+std::array<std::uint32_t, 3> startAtSmallest(std::array<std::uint32_t, 3> corners)
+{
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
 template <typename T>
 void release(std::vector<T>& values)
 {
@@ -52,6 +59,7 @@ std::optional<SEDGeometry> SEDGeometryBuilder::build(TriangleSoup soup, std::str
   this->computePlanes();
   this->makeClusters();
   this->findCommonPlane();
+  this->identify();
   return std::move(this->geometry);
 }
 
@@ -136,7 +144,7 @@ bool SEDGeometryBuilder::weldCorners(TriangleSoup& soup, std::string& error)
                                                   welded.vertexOf[points[2]]};
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
     {
-      triangles[kept++] = corners;
+      triangles[kept++] = startAtSmallest(corners);
     }
   }
   this->geometry.report.degenerateTriangles = triangles.size() - kept;
@@ -152,7 +160,8 @@ bool SEDGeometryBuilder::weldCorners(TriangleSoup& soup, std::string& error)
 void SEDGeometryBuilder::orderTriangles()
 {
   std::vector<std::array<std::uint32_t, 3>>& triangles = this->geometry.triangles;
-  if (this->options.previous != nullptr && this->hasTrianglesOf(*this->options.previous))
+  this->hasPreviousOrder = this->options.previous != nullptr && this->hasTrianglesOf(*this->options.previous);
+  if (this->hasPreviousOrder)
   {
     this->geometry.inputOrder = this->options.previous->inputOrder;
     putInOrder(triangles, this->geometry.inputOrder);
@@ -186,8 +195,32 @@ bool SEDGeometryBuilder::hasTrianglesOf(const SEDGeometry& other) const
   return true;
 }
 
+/// Do the triangles, which are in the other mesh's order, run as its input's did, which could be connected as
+/// they were? @post then OpenMesh would find the same edges
+bool SEDGeometryBuilder::isConnectedAs(const SEDGeometry& other) const
+{
+  bool same = other.manifold;
+  for (std::size_t place = 0; same && place < other.triangles.size(); ++place)
+  {
+    std::array<std::uint32_t, 3> corners = other.triangles[place];
+    if (other.inputReversed.test(place))
+    {
+      std::swap(corners[1], corners[2]);
+    }
+    same = this->geometry.triangles[place] == startAtSmallest(corners);
+  }
+  return same;
+}
+
 void SEDGeometryBuilder::connect()
 {
+  this->hasPreviousEdges = this->hasPreviousOrder && this->isConnectedAs(*this->options.previous);
+  if (this->hasPreviousEdges)
+  {
+    this->edges = this->options.previous->getEdges().toVector();
+    this->geometry.manifold = true;
+    return;
+  }
   // Most meshes are manifold already. The others are found out on the way and start again, cut and turned.
   if (!this->connectManifold())
   {
@@ -206,6 +239,7 @@ bool SEDGeometryBuilder::connectManifold()
     }
   }
   this->edges = connector.readEdges();
+  this->geometry.manifold = true;
   return true;
 }
 

@@ -36,13 +36,18 @@ private:
   void computePlanes();
   void makeClusters();
   void findCommonPlane();
+  void identify();
   /// @}
 
   bool hasTrianglesOf(const SEDGeometry& other) const;
+  bool isConnectedAs(const SEDGeometry& other) const;
+  bool isMoved(const SEDGeometry& other) const;
   void finishTriangle(std::uint32_t triangle);
 
   SEDGeometryOptions options;
   SEDGeometry geometry;
+  bool hasPreviousOrder = false; ///< triangles stand as in options.previous
+  bool hasPreviousEdges = false; ///< and are connected alike
   std::vector<Edge> edges;
   std::vector<std::uint8_t> pointUsed; ///< one a point
   std::vector<std::uint8_t> flipped;   ///< one a triangle

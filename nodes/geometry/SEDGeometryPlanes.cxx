@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "Revision.h"
+
 namespace shadow
 {
 
@@ -135,6 +137,44 @@ void SEDGeometryBuilder::findCommonPlane()
   {
     this->geometry.commonPlane = plane;
   }
+}
+
+/// Is this the other mesh with other positions? Triangles count as they are oriented, not as they came.
+bool SEDGeometryBuilder::isMoved(const SEDGeometry& other) const
+{
+  if (!this->hasPreviousOrder || this->geometry.positions.size() != other.positions.size())
+  {
+    return false;
+  }
+  if (this->hasPreviousEdges)
+  {
+    // The edges are those of the other mesh; deformed, a component may have been turned inside out.
+    bool same = true;
+    for (std::size_t word = 0; same && word < other.reversed.getWords().size(); ++word)
+    {
+      const auto turned = [word](const SEDGeometry& mesh)
+      { return mesh.reversed.getWords()[word] ^ mesh.inputReversed.getWords()[word]; };
+      same = turned(this->geometry) == turned(other);
+    }
+    return same;
+  }
+  // Edges that run alike between the same triangles tell how these are oriented.
+  const EdgeList mine = this->geometry.getEdges();
+  const EdgeList others = other.getEdges();
+  return std::equal(mine.begin(), mine.end(), others.begin(), others.end(),
+                    [](const Edge& edge, const Edge& otherEdge)
+                    { return edge.vertices == otherEdge.vertices && edge.triangles == otherEdge.triangles; });
+}
+
+void SEDGeometryBuilder::identify()
+{
+  const SEDGeometry* previous = this->options.previous;
+  const bool moved = previous != nullptr && this->isMoved(*previous);
+  this->geometry.topology = moved ? previous->topology : nextRevision();
+  const bool sameOrder = moved && this->geometry.triangles == previous->triangles &&
+                         this->geometry.reversed.getWords() == previous->reversed.getWords() &&
+                         this->geometry.inputReversed.getWords() == previous->inputReversed.getWords();
+  this->geometry.rasterOrder = sameOrder ? previous->rasterOrder : nextRevision();
 }
 
 } // namespace shadow

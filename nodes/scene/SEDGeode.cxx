@@ -1,6 +1,5 @@
 #include "SEDGeode.h"
 
-#include <atomic>
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -71,12 +70,6 @@ BoxCorners worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWo
     corners[i] = glm::dvec3(modelToWorld * glm::dvec4(corner, 1.0));
   }
   return corners;
-}
-
-std::uint64_t nextRevision()
-{
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
 }
 
 glm::dmat4 worldFromRelative(const SEDGeometry& geometry, const glm::dmat4& modelToWorld)

@@ -143,9 +143,6 @@ using BoxCorners = std::array<glm::dvec3, 8>;
 /// World-space corners of a geometry's bounding box.
 BoxCorners worldCorners(const SEDGeometry& geometry, const glm::dmat4& modelToWorld);
 
-/// A number that has not been handed out before; for PathLightState::revision.
-std::uint64_t nextRevision();
-
 /// World space from positions relative to a geometry's origin.
 glm::dmat4 worldFromRelative(const SEDGeometry& geometry, const glm::dmat4& modelToWorld);
 

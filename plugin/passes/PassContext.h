@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <string>
 
 #include <vtkCameraPass.h>
 #include <vtkLightsPass.h>
@@ -57,6 +58,23 @@ private:
   /// One texel that VTK frees with the window's context: tells whether our own GL objects are still there,
   /// also when the pass has been detached and nobody tells it.
   vtkNew<vtkTextureObject> sentinel;
+};
+
+/// Tells which messages of one renderer are news, so that what is wrong is said once and not in every frame.
+class MessageFilter
+{
+public:
+  /// @param message  of a rendering; empty when there is nothing to say
+  /// @return whether it is to be said: it is not the one of the rendering before
+  bool isNews(const std::string& message)
+  {
+    const bool news = !message.empty() && message != this->last;
+    this->last = message;
+    return news;
+  }
+
+private:
+  std::string last;
 };
 
 /// What a pass keeps for each of the renderers that it serves.

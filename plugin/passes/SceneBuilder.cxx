@@ -147,12 +147,18 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     this->refuse(transform->name, reason, settings);
     return;
   }
+  const std::vector<std::shared_ptr<SEDGeode>> shownBefore = std::move(placed.shown);
+  placed.shown.clear();
   transform->clearChildren();
   const std::vector<vtkPolyData*> drawn = this->surfaces.collect(actor, path, transform->matrix);
   placed.surfaces = drawn.size();
   for (vtkPolyData* polyData : drawn)
   {
-    if (const std::shared_ptr<SEDGeode> geode = this->getGeode(polyData, settings, transform->name))
+    const std::size_t place = placed.shown.size();
+    const std::shared_ptr<SEDGeode> geode = this->getGeode(
+        polyData, place < shownBefore.size() ? shownBefore[place] : nullptr, settings, transform->name);
+    placed.shown.push_back(geode);
+    if (geode != nullptr)
     {
       transform->addChild(geode);
       this->triangles += geode->getGeometry().getReport().inputTriangles;
@@ -166,8 +172,9 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   }
 }
 
-std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Settings& settings,
-                                                 const std::string& name)
+std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData,
+                                                 const std::shared_ptr<SEDGeode>& shownBefore,
+                                                 const Settings& settings, const std::string& name)
 {
   Mesh& mesh = this->meshes[polyData];
   mesh.used = true;
@@ -180,7 +187,7 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData, const Se
     mesh.polyData = polyData;
     mesh.time = time;
     mesh.weldTolerance = weldTolerance;
-    const std::shared_ptr<SEDGeode> previous = std::move(mesh.geode);
+    const std::shared_ptr<SEDGeode> previous = mesh.geode != nullptr ? std::move(mesh.geode) : shownBefore;
     mesh.geode.reset();
     mesh.error.clear();
     TriangleSoup soup = importTriangles(polyData);

@@ -79,15 +79,18 @@ private:
   struct PlacedActor
   {
     std::shared_ptr<Transform> transform = std::make_shared<Transform>();
-    std::size_t surfaces = 0; ///< that VTK draws, those that cannot be used too
+    std::vector<std::shared_ptr<SEDGeode>> shown; ///< one a surface; none where the data cannot be used
+    std::size_t surfaces = 0;                     ///< that VTK draws, those that cannot be used too
     bool used = false;
   };
 
   void addProp(vtkProp* prop, const Settings& settings, Group& root);
   void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath,
                 const Settings& settings, Group& root);
-  std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const Settings& settings,
-                                     const std::string& name);
+  /// @param shownBefore  in the same place the last time, perhaps the same mesh at an earlier time; or
+  /// nullptr
+  std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const std::shared_ptr<SEDGeode>& shownBefore,
+                                     const Settings& settings, const std::string& name);
   void refuse(const std::string& name, const std::string& reason, const Settings& settings);
   std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
   void skip(vtkProp* prop, const std::string& reason);

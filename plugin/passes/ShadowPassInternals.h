@@ -29,6 +29,7 @@ public:
     shadow::SceneBuilder Builder;
     std::shared_ptr<shadow::ShadowVolumeEffect> Effect = std::make_shared<shadow::ShadowVolumeEffect>();
     shadow::View View;
+    shadow::MessageFilter Messages;
 
     RendererState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window) : Context(renderer, window) {}
     ~RendererState();
@@ -78,7 +79,6 @@ public:
 
   int Status = STATUS_NOT_RENDERED;
   std::string Message;
-  std::string ReportedMessage;
   std::set<std::string> ShaderMessages; ///< of shaders that have been built since ShaderTime
   std::set<shadow::CasterCuller::Skipped> Skipped;
   /// Props of the last rendering that no pixel shows the back of, and what has to be culled for it.

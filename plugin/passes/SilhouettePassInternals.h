@@ -23,6 +23,7 @@ public:
     shadow::PassContext Context;
     shadow::SceneBuilder Builder;
     shadow::OutlineEffect Effect;
+    shadow::MessageFilter Messages;
 
     RendererState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window) : Context(renderer, window) {}
     ~RendererState() { this->Release(); }
@@ -55,7 +56,6 @@ public:
   RendererState* Current = nullptr; ///< of the last rendering
   int Status = STATUS_NOT_RENDERED;
   std::string Message;
-  std::string ReportedMessage;
   std::set<shadow::CasterCuller::Skipped> Skipped;
   double SceneMilliseconds = 0.0;
 };

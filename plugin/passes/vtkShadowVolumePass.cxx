@@ -80,11 +80,10 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
     this->RenderPart(this->Internals->Passes.volumetric, s);
     this->RenderPart(this->Internals->Passes.overlay, s);
   }
-  if (!this->Internals->Message.empty() && this->Internals->Message != this->Internals->ReportedMessage)
+  if (this->Internals->Current->Messages.isNews(this->Internals->Message))
   {
     vtkWarningMacro(<< this->Internals->Message);
   }
-  this->Internals->ReportedMessage = this->Internals->Message;
 }
 
 //------------------------------------------------------------------------------

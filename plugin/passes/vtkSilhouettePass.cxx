@@ -98,11 +98,10 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
   {
     this->RenderPart(internals.Passes.overlay, s);
   }
-  if (!internals.Message.empty() && internals.Message != internals.ReportedMessage)
+  if (internals.Current->Messages.isNews(internals.Message))
   {
     vtkWarningMacro(<< internals.Message);
   }
-  internals.ReportedMessage = internals.Message;
 }
 
 //------------------------------------------------------------------------------

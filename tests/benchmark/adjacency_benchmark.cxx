@@ -1,6 +1,7 @@
 // What a mesh costs before anything is drawn: adjacency once, then facing and silhouette for each light.
 // Items are triangles.
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -72,6 +73,45 @@ void buildAdjacency(benchmark::State& state, Input input)
       static_cast<double>(peak) / static_cast<double>(soup.triangles.size());
 }
 
+/// What is taken over from the mesh before it moved.
+enum class Kept
+{
+  Order,
+  OrderAndEdges
+};
+
+void rebuildMoved(benchmark::State& state, Kept kept)
+{
+  shadow::TriangleSoup soup = makeInput(state.range(0), Input::Shared);
+  shadow::SEDGeometry previous = shadow::test::build(soup);
+  shadow::SEDGeometryOptions options;
+  options.previous = &previous;
+  if (kept == Kept::Order)
+  {
+    // Of a mesh that runs the other way nothing but the order fits.
+    shadow::test::turnInsideOut(soup);
+    previous = shadow::test::build(soup, options);
+    shadow::test::turnInsideOut(soup);
+  }
+  for (glm::dvec3& point : soup.points)
+  {
+    point.x += 0.1 * std::sin(5.0 * point.y);
+  }
+  for (auto _ : state)
+  {
+    state.PauseTiming();
+    shadow::TriangleSoup copy = soup;
+    std::string error;
+    state.ResumeTiming();
+    auto geometry = shadow::buildSEDGeometry(std::move(copy), options, error);
+    benchmark::DoNotOptimize(geometry);
+    state.PauseTiming();
+    geometry.reset();
+    state.ResumeTiming();
+  }
+  countItems(state, soup.triangles.size());
+}
+
 void computeFacing(benchmark::State& state)
 {
   const shadow::SEDGeometry geometry = shadow::test::build(makeInput(state.range(0), Input::Shared));
@@ -138,6 +178,10 @@ BENCHMARK_CAPTURE(buildAdjacency, shared, Input::Shared)->Name("Adjacency/torus/
 BENCHMARK_CAPTURE(buildAdjacency, unshared, Input::Unshared)->Name("Adjacency/torus/unshared")->Apply(sizes);
 BENCHMARK_CAPTURE(buildAdjacency, scrambled, Input::Scrambled)
     ->Name("Adjacency/torus/scrambled")
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(rebuildMoved, order, Kept::Order)->Name("Adjacency/torus/moved/order")->Apply(sizes);
+BENCHMARK_CAPTURE(rebuildMoved, edges, Kept::OrderAndEdges)
+    ->Name("Adjacency/torus/moved/orderAndEdges")
     ->Apply(sizes);
 BENCHMARK(computeFacing)->Name("Facing/torus")->Apply(sizes);
 BENCHMARK_CAPTURE(findSilhouette, closed, shadow::Casting::LightFacing)

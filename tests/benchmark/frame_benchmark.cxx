@@ -15,7 +15,10 @@
 #include <benchmark/benchmark.h>
 
 #include <vtkOBJReader.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkSphereSource.h>
+#include <vtkTrivialProducer.h>
 
 #include "MovingLightScene.h"
 #include "Timing.h"
@@ -91,6 +94,51 @@ void stages(benchmark::State& state, const std::string& model, int stencilMethod
   state.counters["lighting_ms"] = median(lighting);
 }
 
+/// Frames in which all points of the mesh move, on plain VTK and with shadows, in turns.
+void deforming(benchmark::State& state, const std::string& model)
+{
+  const vtkSmartPointer<vtkAlgorithm> source = makeSource(model);
+  source->Update();
+  auto* rest = vtkPolyData::SafeDownCast(source->GetOutputDataObject(0));
+  vtkNew<vtkPolyData> mesh;
+  mesh->DeepCopy(rest);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(mesh);
+  MovingLightScene moving(producer);
+  vtkShadowVolumePass* pass = moving.scene.pass;
+  const double waves = 30.0 / mesh->GetLength();
+  const auto move = [&](double phase)
+  {
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      rest->GetPoint(i, point);
+      const double scale = 1.0 + 0.02 * std::sin(waves * point[0] + phase);
+      mesh->GetPoints()->SetPoint(i, point[0], scale * point[1], scale * point[2]);
+    }
+    mesh->GetPoints()->Modified();
+  };
+  std::vector<double> plain;
+  std::vector<double> shadowed;
+  std::vector<double> scene;
+  double phase = 0.0;
+  for (auto _ : state)
+  {
+    for (vtkRenderPass* each : {static_cast<vtkRenderPass*>(nullptr), static_cast<vtkRenderPass*>(pass)})
+    {
+      // A pass that was just attached has VTK build its shaders again; its second frame counts.
+      moving.draw(each);
+      move(phase += 0.3);
+      (each == nullptr ? plain : shadowed).push_back(moving.draw(each));
+    }
+    scene.push_back(pass->GetSceneMilliseconds());
+    state.SetIterationTime(1e-3 * shadowed.back());
+  }
+  state.counters["plain_ms"] = median(plain);
+  state.counters["volumes_ms"] = median(shadowed);
+  state.counters["scene_ms"] = median(scene);
+}
+
 /// Kilobytes from /proc; 0 where there is no such file.
 double readStatus(const std::string& key)
 {
@@ -163,6 +211,10 @@ int main(int argc, char** argv)
           ->Iterations(40)
           ->Unit(benchmark::kMillisecond);
     }
+    benchmark::RegisterBenchmark(("Deforming/" + name).c_str(), deforming, model)
+        ->UseManualTime()
+        ->Iterations(20)
+        ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark(("Stages/" + name + "/zpass").c_str(), stages, model,
                                  vtkShadowVolumePass::STENCIL_ZPASS)
         ->UseManualTime()

@@ -17,6 +17,7 @@ if(VTKSHADOW_HEADLESS)
     PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings GTest::gtest)
 
   add_executable(test_pass
+    VolumeCounter.cxx
     test_gpu_silhouette.cxx
     test_hidden_backs.cxx
     test_pass_changes.cxx
@@ -89,7 +90,14 @@ if(VTKSHADOW_HEADLESS)
     PUBLIC shadow_test_scene shadow_drawable shadow_test_meshes PRIVATE shadow_warnings)
 
   # What is drawn, and with what on a GL that can do less.
-  add_executable(test_gpu_silhouettes test_gpu_silhouettes.cxx test_gpu_methods.cxx)
+  add_executable(test_gpu_silhouettes
+    UploadCounter.cxx
+    test_deforming_mesh.cxx
+    test_depth_bias.cxx
+    test_gpu_method_changes.cxx
+    test_gpu_methods.cxx
+    test_gpu_silhouettes.cxx
+    test_moved_buffers.cxx)
   target_link_libraries(test_gpu_silhouettes PRIVATE
     shadow_silhouette_probe shadow_ball_scene GTest::gtest_main shadow_warnings)
   vtk_module_autoinit(TARGETS test_gpu_silhouettes MODULES VTK::RenderingCore VTK::RenderingOpenGL2)

@@ -14,36 +14,18 @@
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 
 #include "BallScene.h"
 #include "Capabilities.h"
 #include "Light.h"
 #include "OpenGL.h"
+#include "SilhouetteMethods.h"
 
 using namespace shadow;
 using namespace shadow::test;
 
 namespace
 {
-
-std::vector<int> allMethods(vtkShadowVolumePass* pass)
-{
-  std::vector<int> methods;
-  for (int method = pass->GetSilhouetteMethodMinValue(); method <= pass->GetSilhouetteMethodMaxValue();
-       ++method)
-  {
-    methods.push_back(method);
-  }
-  return methods;
-}
-
-std::string nameOf(int method)
-{
-  return toString(static_cast<SilhouetteMethod>(method));
-}
 
 /// More balls, which share one mesh, and more lights, up to as many as there may be.
 void addCrowd(BallScene& scene)
@@ -212,105 +194,6 @@ TEST(GPUMethods, ManyActorsAndLights_EveryMethodHasTheSameMasks)
     std::printf("%-24s %zu of %zu mask pixels differ\n", nameOf(method).c_str(), different,
                 masks.size() * masks[0].size());
     EXPECT_LE(different, 20u) << nameOf(method);
-  }
-}
-
-TEST(GPUMethods, WhatMoves_EveryMethodFollows)
-{
-  for (const int method : allMethods(BallScene().pass))
-  {
-    SCOPED_TRACE(nameOf(method));
-    BallScene scene;
-    BallScene fresh;
-    scene.pass->SetSilhouetteMethod(method);
-    const auto expectSame = [&]
-    {
-      EXPECT_LE(countDifferent(scene.renderMask(), fresh.renderMask()), 2u);
-      EXPECT_LE(countDifferent(scene.renderMask(), fresh.renderMask()), 2u) << "again";
-    };
-    expectSame();
-    for (BallScene* each : {&scene, &fresh})
-    {
-      each->lamp->SetPosition(1.0, 3.0, 0.5);
-    }
-    expectSame();
-    for (BallScene* each : {&scene, &fresh})
-    {
-      each->ballActor->SetPosition(-0.3, 0.2, 0.4);
-    }
-    expectSame();
-    for (BallScene* each : {&scene, &fresh})
-    {
-      each->ball->SetThetaResolution(9);
-    }
-    expectSame();
-    for (BallScene* each : {&scene, &fresh})
-    {
-      each->addPointLight(-2.0, 3.0, 1.0);
-    }
-    expectSame();
-    scene.pass->ReleaseGraphicsResources(scene.window);
-    expectSame();
-    for (BallScene* each : {&scene, &fresh})
-    {
-      each->renderer->RemoveActor(each->ballActor);
-    }
-    expectSame();
-  }
-}
-
-TEST(GPUMethods, MeshThatDeforms_EveryMethodFollows)
-{
-  BallScene scene;
-  scene.ball->Update();
-  vtkNew<vtkPolyData> polyData;
-  polyData->DeepCopy(scene.ball->GetOutput());
-  vtkPolyDataMapper::SafeDownCast(scene.ballActor->GetMapper())->SetInputData(polyData);
-  std::vector<Pixels> expected;
-  for (const int method : allMethods(scene.pass))
-  {
-    SCOPED_TRACE(nameOf(method));
-    scene.pass->SetSilhouetteMethod(method);
-    for (std::size_t step = 0; step < 4; ++step)
-    {
-      const double bulge = 0.2 * static_cast<double>(step);
-      for (vtkIdType i = 0; i < polyData->GetNumberOfPoints(); ++i)
-      {
-        double point[3];
-        scene.ball->GetOutput()->GetPoint(i, point);
-        const double scale = 1.0 + bulge * std::sin(7.0 * point[0]) * std::cos(5.0 * point[1]);
-        polyData->GetPoints()->SetPoint(i, scale * point[0], scale * point[1], scale * point[2]);
-      }
-      polyData->GetPoints()->Modified();
-      const Pixels mask = scene.renderMask();
-      if (expected.size() <= step)
-      {
-        expected.push_back(mask);
-        EXPECT_TRUE(step == 0 || mask != expected[step - 1]) << "nothing moves";
-      }
-      EXPECT_LE(countDifferent(mask, expected[step]), 2u) << "step " << step;
-    }
-  }
-}
-
-// What is kept of a path goes with the path, though the triangles and lights look the same as before.
-TEST(GPUMethods, LightOrActorGoneForAFrame_EveryMethodStartsAnew)
-{
-  for (const int method : allMethods(BallScene().pass))
-  {
-    SCOPED_TRACE(nameOf(method));
-    BallScene scene;
-    scene.pass->SetSilhouetteMethod(method);
-    const Pixels expected = scene.renderMask();
-    scene.lamp->SwitchOff();
-    scene.window->Render();
-    scene.lamp->SwitchOn();
-    EXPECT_EQ(scene.renderMask(), expected);
-
-    vtkActor* twin = scene.addMapper(scene.ballActor->GetMapper());
-    scene.ballActor->VisibilityOff();
-    twin->SetUserMatrix(scene.ballActor->GetMatrix());
-    EXPECT_EQ(scene.renderMask(), expected);
   }
 }
 

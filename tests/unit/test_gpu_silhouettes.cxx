@@ -182,40 +182,6 @@ TEST(ComputeSilhouette, LightsInThePlaneOfManyTriangles_EverySilhouetteIsClosed)
   method.release(false);
 }
 
-TEST(GeometryTexels, MeshThatMoved_OnlyPositionsAreCopied)
-{
-  TriangleSoup soup = makeTorus(2.0, 0.5, torusSide, torusSide);
-  const SEDGeometry before = build(soup);
-  SilhouetteProbe probe(before); // a GL context
-  GeometryTexels texels;
-  std::string error;
-  ASSERT_TRUE(texels.upload(before, error)) << error;
-
-  // Stretching changes no order of coordinates, and so no triangle's raster order.
-  for (glm::dvec3& point : soup.points)
-  {
-    point *= glm::dvec3(1.5, 1.25, 1.125);
-  }
-  SEDGeometryOptions options;
-  options.previous = &before;
-  const SEDGeometry stretched = build(soup, options);
-  ASSERT_TRUE(isSameMeshMoved(before, stretched));
-  EXPECT_EQ(texels.update(before, stretched), stretched.getPositions().size());
-
-  // Turning it over changes the order of corners.
-  for (glm::dvec3& point : soup.points)
-  {
-    point = glm::dvec3(-point.y, point.x, point.z);
-  }
-  options.previous = &stretched;
-  const SEDGeometry turned = build(soup, options);
-  ASSERT_TRUE(isSameMeshMoved(stretched, turned));
-  EXPECT_EQ(texels.update(stretched, turned), turned.getPositions().size() + turned.getTriangles().size());
-
-  EXPECT_FALSE(isSameMeshMoved(turned, build(makeTorus(2.0, 0.5, torusSide, torusSide + 1))));
-  texels.release();
-}
-
 TEST(ComputeProgram, BadSource_SaysWhyEachTime)
 {
   SilhouetteProbe probe(build(makeCube()));

@@ -221,6 +221,28 @@ TEST(HiddenBacks, TextureThatMayHaveHoles_NothingLeftOut)
   scene.expectWholePicture(0);
 }
 
+TEST(HiddenBacks, MultisampledWindow_NothingLeftOut)
+{
+  LargeBallScene scene;
+  const Pixels jagged = scene.renderPicture();
+  EXPECT_EQ(scene.pass->GetNumberOfHiddenBacks(), 1);
+  scene.window->SetMultiSamples(4);
+  const Pixels smooth = scene.renderPicture();
+  EXPECT_GT(countDifferent(jagged, smooth, 10), 100U) << "the window has one sample a pixel";
+  scene.expectWholePicture(0);
+  scene.pass->SetSamples(4);
+  scene.expectWholePicture(0);
+}
+
+TEST(HiddenBacks, SeveralSamplesOfTheMask_NothingLeftOut)
+{
+  LargeBallScene scene;
+  scene.pass->SetSamples(4);
+  scene.expectWholePicture(0);
+  scene.pass->SetSamples(1);
+  scene.expectWholePicture(1);
+}
+
 TEST(HiddenBacks, ParallelProjection_LeftOut)
 {
   LargeBallScene scene;

@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkPlaneSource.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
+#include <vtkTexture.h>
 
 #include "OutlineBall.h"
 
@@ -184,6 +187,26 @@ TEST(OutlineReport, BadData_DrawnWithoutAndToldOnce)
   EXPECT_EQ(messages->errors, 0);
 }
 
+TEST(OutlineReport, OneOfTwoRenderersWithBadData_ToldOnce)
+{
+  OutlineBall scene;
+  vtkNew<vtkRenderer> good;
+  good->AddActor(scene.table);
+  good->SetPass(scene.outlines);
+  scene.window->AddRenderer(good);
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  source->GetOutput()->GetPoints()->SetPoint(5, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  scene.addPolyData(source->GetOutput());
+  const auto messages = MessageCounter::observe(scene.outlines);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    scene.window->Render();
+  }
+  EXPECT_EQ(messages->warnings, 1) << messages->last;
+  EXPECT_EQ(messages->errors, 0) << messages->last;
+}
+
 TEST(OutlineReport, TranslucentAndWireframe_SkippedWithReason)
 {
   OutlineBall scene;
@@ -216,4 +239,27 @@ TEST(OutlineReport, OwnDelegate_IsRefused)
   EXPECT_EQ(pass->GetDelegatePass(), nullptr);
   EXPECT_FALSE(pass->GetLineMask(nullptr));
   EXPECT_EQ(messages->errors, 2);
+}
+
+// VTK leaves out what has no alpha, and takes the actor for opaque, if something has.
+TEST(OutlineWindow, TextureWithHoles_HidesLinesAsWholeFaces)
+{
+  OutlineBall scene;
+  const std::size_t lines = countValue(scene.renderLines(), 255);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(16, 16, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* texels = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill_n(texels, 4 * 16 * 16, static_cast<unsigned char>(0));
+  std::fill_n(texels, 4, static_cast<unsigned char>(255));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-9.0, -9.0, 2.5);
+  plane->SetPoint1(9.0, -9.0, 2.5);
+  plane->SetPoint2(-9.0, 9.0, 2.5);
+  scene.addSource(plane)->SetTexture(texture);
+  EXPECT_GT(lines, fewestLinePixels);
+  EXPECT_EQ(countValue(scene.renderLines(), 255), 0u);
+  EXPECT_EQ(scene.outlines->GetStatus(), vtkSilhouettePass::STATUS_OK);
 }

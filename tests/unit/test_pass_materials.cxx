@@ -1,5 +1,7 @@
 // Whatever way a surface is shaded: in shadow it has its ambient part only, elsewhere it is as VTK draws it.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <vtkCellData.h>
@@ -117,6 +119,33 @@ TEST(PassMaterial, Textured_Shadowed)
   texture->InterpolateOn();
   scene.table->SetTexture(texture);
   expectShadowedInBoth(scene);
+}
+
+// VTK leaves out what has no alpha, and takes the actor for opaque, if something has; the shadow is that of
+// its triangles.
+TEST(PassMaterial, TextureWithHoles_CastsAsWholeFaces)
+{
+  BallScene scene;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(16, 16, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* texels = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill_n(texels, 4 * 16 * 16, static_cast<unsigned char>(0));
+  std::fill_n(texels, 4, static_cast<unsigned char>(255));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.4, 1.0, 0.4);
+  plane->SetPoint1(0.4, 1.0, 0.4);
+  plane->SetPoint2(-0.4, 1.0, -0.4);
+  scene.ballActor->VisibilityOff();
+  EXPECT_EQ(scene.maskAt(BallScene::inShadow), 255);
+  const double lit = scene.greyAt(BallScene::inShadow);
+  vtkActor* plate = scene.addSource(plane);
+  plate->SetTexture(texture);
+  EXPECT_EQ(scene.maskAt(BallScene::inShadow), 0);
+  EXPECT_LT(scene.greyAt(BallScene::inShadow), 0.8 * lit);
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK);
 }
 
 TEST(PassMaterial, ScalarColoured_Shadowed)

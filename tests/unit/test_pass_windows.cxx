@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "BallScene.h"
@@ -266,4 +269,24 @@ TEST(PassWindow, RendererDeletedBeforePass_StatisticsAnswer)
   EXPECT_GE(scene.pass->GetSilhouetteEdges(), 0);
   EXPECT_GE(scene.pass->GetAmbientTriangles(), 0);
   EXPECT_GT(countValue(scene.renderMask(), 0), 400u);
+}
+
+TEST(PassRenderers, OneWithBadData_ToldOnce)
+{
+  BallScene scene;
+  const vtkSmartPointer<vtkRenderer> good = cloneRenderer(scene);
+  scene.window->AddRenderer(good);
+  good->SetPass(scene.pass);
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  source->GetOutput()->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
+  scene.addPolyData(source->GetOutput());
+  const auto messages = MessageCounter::observe(scene.pass);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    scene.window->Render();
+  }
+  EXPECT_EQ(messages->warnings, 1) << messages->last;
+  EXPECT_EQ(messages->errors, 0) << messages->last;
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK) << "the good one came last";
 }
