@@ -5,7 +5,7 @@
 // unif lineReach  float           pixels around an edge that may be drawn
 // out  endsDC     vec4            pixels: from, to
 // out  endsDepth  vec2            window depth there
-// out  outwards   vec2            across the edge, away from the surface; zero where that is on both sides
+// out  outwards   vec2            across the edge, away from the surface; zero where that is on both sides or not known
 #include "outlineFaces.glsl"
 uniform usamplerBuffer lines;
 uniform float lineReach;
@@ -44,6 +44,11 @@ void main()
     vec4 third = toClip(cornerOf(face, edge == 0 ? 2 : edge - 1));
     float side = determinant(mat3(from.xyw, to.xyw, third.xyw));
     outwards = sign(side) * vec2(along.y, -along.x);
+    // A face that is thinner on the screen than the grid vertices are snapped to, twice 1/256, does not tell.
+    if (third.w > 0.0 && abs(dot(toScreen(third).xy - fromDC.xy, outwards)) < 0.008)
+    {
+      outwards = vec2(0.0);
+    }
   }
   // Pixels are drawn whose centre is covered; vertices are snapped to 1/256 of a pixel.
   float margin = lineReach + 0.02;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "BufferUpload.h"
 #include "OpenGL.h"
 
 namespace shadow
@@ -63,13 +64,10 @@ AdjacentTriangles::AdjacentTriangles(const SEDGeometry& geometry)
     back[placeBack] = oppositeOf(there, placeThere);
   }
   this->indices = 6 * triangles.size();
-  this->bytes = triangles.size() * sizeof(Hexagon);
   glGenVertexArrays(1, &this->vertexArray);
   glGenBuffers(1, &this->indexBuffer);
   glBindVertexArray(this->vertexArray);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->bytes), triangles.data(),
-               GL_STATIC_DRAW);
+  this->bytes = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer, triangles, GL_STATIC_DRAW);
   glBindVertexArray(0);
 }
 

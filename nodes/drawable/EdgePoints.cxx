@@ -8,6 +8,7 @@
 
 #include <vtkShaderProgram.h>
 
+#include "BufferUpload.h"
 #include "OpenGL.h"
 #include "SEDGeometry.h"
 
@@ -46,9 +47,7 @@ void EdgePoints::upload(const SEDGeometry& geometry)
     glGenVertexArrays(1, &this->vertexArray);
     glGenBuffers(1, &this->buffer);
   }
-  this->bytes = points.size() * sizeof(points[0]);
-  glBindBuffer(GL_ARRAY_BUFFER, this->buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->bytes), points.data(), GL_STATIC_DRAW);
+  this->bytes = uploadBuffer(GL_ARRAY_BUFFER, this->buffer, points, GL_STATIC_DRAW);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 

@@ -1,5 +1,6 @@
 #include "EdgeQuads.h"
 
+#include "BufferUpload.h"
 #include "OpenGL.h"
 #include "VertexLayout.h"
 
@@ -40,9 +41,7 @@ void EdgeQuads::Part::bind(std::size_t edges)
       indices.push_back(first + corner);
     }
   }
-  this->bytes = indices.size() * sizeof(indices[0]);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->bytes), indices.data(), GL_STATIC_DRAW);
+  this->bytes = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer, indices, GL_STATIC_DRAW);
 }
 
 void EdgeQuads::Part::release(bool contextLost)

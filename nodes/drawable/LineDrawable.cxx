@@ -3,6 +3,7 @@
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
+#include "BufferUpload.h"
 #include "OpenGL.h"
 #include "SEDGeometryDrawable.h"
 
@@ -39,7 +40,7 @@ bool LineDrawable::upload(const std::vector<FaceEdges>& lines)
 {
   const std::vector<std::uint32_t> codes = toCodes(lines);
   this->edges = codes.size();
-  this->bytes = codes.size() * sizeof(codes[0]);
+  this->bytes = 0;
   if (codes.empty())
   {
     return true;
@@ -48,8 +49,7 @@ bool LineDrawable::upload(const std::vector<FaceEdges>& lines)
   {
     glGenBuffers(1, &this->buffer);
   }
-  glBindBuffer(GL_TEXTURE_BUFFER, this->buffer);
-  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->bytes), codes.data(), GL_STREAM_DRAW);
+  this->bytes = uploadBuffer(GL_TEXTURE_BUFFER, this->buffer, codes, GL_STREAM_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   if (!this->texels.attach(this->buffer, codes.size()))
   {

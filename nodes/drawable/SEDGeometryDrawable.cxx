@@ -9,9 +9,7 @@
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
-#include "ContributingFaces.h"
-#include "OpenGL.h"
-#include "TopologyAwareMesh.h"
+#include "BufferUpload.h"
 #include "VertexLayout.h"
 
 namespace shadow
@@ -19,9 +17,6 @@ namespace shadow
 
 namespace
 {
-
-constexpr int positionUnit = 2;
-constexpr int cornerUnit = 3;
 
 struct PrePassMesh
 {
@@ -59,35 +54,6 @@ PrePassMesh giveTrianglesTheirOwnVertex(const SEDGeometry& geometry)
     }
   }
   return mesh;
-}
-
-template <class Element>
-std::size_t uploadBuffer(GLenum target, unsigned int buffer, const std::vector<Element>& elements,
-                         GLenum usage)
-{
-  const std::size_t size = elements.size() * sizeof(Element);
-  glBindBuffer(target, buffer);
-  glBufferData(target, static_cast<GLsizeiptr>(size), elements.data(), usage);
-  return size;
-}
-
-/// Three vertices a face, or nine: see shaders/outlineFace.vert.
-void drawRuns(vtkShaderProgram* program, const std::vector<FaceRun>& runs, bool split)
-{
-  if (runs.empty())
-  {
-    return;
-  }
-  const std::uint32_t verticesOfFace = split ? 9 : 3;
-  std::vector<GLint> firsts;
-  std::vector<GLsizei> counts;
-  for (const FaceRun& run : runs)
-  {
-    firsts.push_back(static_cast<GLint>(verticesOfFace * run.first));
-    counts.push_back(static_cast<GLsizei>(verticesOfFace * run.count));
-  }
-  program->SetUniformi("splits", split ? 1 : 0);
-  glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(runs.size()));
 }
 
 } // namespace
@@ -165,53 +131,6 @@ const AdjacentTriangles& SEDGeometryDrawable::getAdjacentTriangles()
     this->adjacentTriangles = std::make_unique<AdjacentTriangles>(*this->geometry);
   }
   return *this->adjacentTriangles;
-}
-
-bool SEDGeometryDrawable::bindFaceTexels(vtkOpenGLState* state, vtkShaderProgram* program)
-{
-  if (!this->positionTexels.attach(this->vertexBuffer, 3 * this->vertices) ||
-      !this->cornerTexels.attach(this->indexBuffer, 3 * this->triangles))
-  {
-    return false;
-  }
-  const auto handle = static_cast<unsigned int>(program->GetHandle());
-  this->positionTexels.bind(state, handle, positionUnit, "positionTexels");
-  this->cornerTexels.bind(state, handle, cornerUnit, "cornerTexels");
-  return true;
-}
-
-void SEDGeometryDrawable::unbindFaceTexels(vtkOpenGLState* state)
-{
-  BufferTexels::unbind(state, positionUnit);
-  BufferTexels::unbind(state, cornerUnit);
-}
-
-bool SEDGeometryDrawable::drawFaces(vtkOpenGLState* state, vtkShaderProgram* program,
-                                    const TopologyAwareMesh& mesh, const std::vector<FaceRun>& runs,
-                                    const std::vector<FaceRun>& split)
-{
-  if (this->normalBuffer == 0)
-  {
-    glGenBuffers(1, &this->normalBuffer);
-  }
-  if (this->normalBytes == 0)
-  {
-    this->normalBytes = uploadBuffer(GL_TEXTURE_BUFFER, this->normalBuffer,
-                                     mesh.pack(*this->geometry, TAMLayout::Shared), GL_STATIC_DRAW);
-    glBindBuffer(GL_TEXTURE_BUFFER, 0);
-  }
-  if (!this->normalTexels.attach(this->normalBuffer, 3 * this->triangles) ||
-      !this->bindFaceTexels(state, program))
-  {
-    return false;
-  }
-  this->normalTexels.bind(state, static_cast<unsigned int>(program->GetHandle()), firstFreeUnit,
-                          "normalTexels");
-  drawRuns(program, runs, false);
-  drawRuns(program, split, true);
-  BufferTexels::unbind(state, firstFreeUnit);
-  unbindFaceTexels(state);
-  return true;
 }
 
 void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuffer* reachableBits)

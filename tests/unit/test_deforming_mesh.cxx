@@ -207,7 +207,9 @@ TEST(DeformingMesh, MaskIsThatOfANewPass_ByEveryMethod)
         const std::vector<Pixels> expected = scene.renderMasks(fresh);
         for (std::size_t light = 0; light < masks.size(); ++light)
         {
-          EXPECT_EQ(countDifferent(masks[light], expected[light]), 0u) << "light " << light;
+          // A new pass sorts the triangles anew: where two are equally deep on a rim, it may show the other
+          // one.
+          EXPECT_LE(countDifferent(masks[light], expected[light]), rimPixels) << "light " << light;
         }
         seen += masks != before ? 1 : 0;
         before = masks;
