@@ -66,8 +66,7 @@ std::size_t GeometryTexels::update(const SEDGeometry& geometry)
   {
     // There is room for them: as many as before.
     std::string error;
-    this->uploadTriangles(geometry, error);
-    this->rasterOrder = geometry.getRasterOrder();
+    this->rasterOrder = this->uploadTriangles(geometry, error) ? geometry.getRasterOrder() : 0;
     copied += geometry.getTriangles().size();
   }
   return copied;

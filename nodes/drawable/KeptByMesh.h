@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -108,15 +107,20 @@ private:
     bool used = false;          ///< since the last sweep
   };
 
-  /// What nobody has asked for since the last sweep. Should somebody still do, it is made anew.
+  /// What nobody has asked for since the last sweep, best of a geometry that is gone. Should somebody still
+  /// ask for it, it is made anew.
   std::unique_ptr<Kept> takeMoved(std::uint64_t topology)
   {
-    const auto moved = std::find_if(this->entries.begin(), this->entries.end(),
-                                    [topology](const auto& other) {
-                                      return !other.second.used && other.second.kept != nullptr &&
-                                             other.second.topology == topology;
-                                    });
-    return moved != this->entries.end() ? std::move(moved->second.kept) : nullptr;
+    Entry* found = nullptr;
+    for (auto& [key, entry] : this->entries)
+    {
+      if (!entry.used && entry.kept != nullptr && entry.topology == topology &&
+          (found == nullptr || entry.geometry.expired()))
+      {
+        found = &entry;
+      }
+    }
+    return found != nullptr ? std::move(found->kept) : nullptr;
   }
 
   std::map<const SEDGeometry*, Entry> entries;

@@ -3,13 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "PlaneKernel.h"
+#include "Avx2.h"
 #include "Prefetch.h"
-
-#if defined(__GNUC__) && defined(__x86_64__)
-#define SHADOW_HAS_AVX2
-#include <immintrin.h>
-#endif
 
 namespace shadow
 {
@@ -52,7 +47,7 @@ constexpr auto units = static_cast<float>(PlaneBlock::unitsInOne);
 /// What bounds have to pass for all planes of a node to have the sign of the exact ones, in units.
 ///
 /// With u, e and S as in ScaledLight: the planes are off by (u / 2 + 1 e) S, the light by 1 e S, relative to
-/// the centre by 3 e S, evaluating adds 8 e (|x| + |y| + |z| + 3 |w|), as offsets are below 2; and a corner
+/// the centre by 3 e S, evaluating adds 8 e (|x| + |y| + |z| + 3 |w|), as offsets are 1 at most; and a corner
 /// at the light is within 1 e S. The sum is below (u / 2 + 33 e) S, which is 289 e S, and the bound for one
 /// plane 272 e S.
 float getBound(const ScaledLight& light)
@@ -74,8 +69,9 @@ std::uint64_t widen(unsigned int quarters)
 } // namespace
 
 void ClusterTree::classify(const ScaledLight& light, FacingBits& towards, FacingBits& away,
-                           std::vector<Quarters>& mixed) const
+                           std::vector<Quarters>& mixed, InstructionSet set) const
 {
+  static_cast<void>(set);
   if (this->words == 0)
   {
     return;
@@ -84,7 +80,7 @@ void ClusterTree::classify(const ScaledLight& light, FacingBits& towards, Facing
   constexpr std::size_t ahead = 6;
   Walk walk{light, evaluate, towards.data(), away.data()};
 #ifdef SHADOW_HAS_AVX2
-  if (getInstructionSets().back() == InstructionSet::Avx2)
+  if (set == InstructionSet::Avx2)
   {
     walk.evaluate = evaluateAvx2;
   }
@@ -148,8 +144,7 @@ ClusterTree::Sides ClusterTree::evaluate(const Group& nodes, const ScaledLight& 
 namespace
 {
 
-__attribute__((target("avx2"), always_inline)) inline __m256
-loadLanes(const std::array<std::int16_t, 8>& lanes)
+SHADOW_INLINE_AVX2 __m256 loadLanes(const std::array<std::int16_t, 8>& lanes)
 {
   return _mm256_cvtepi32_ps(
       _mm256_cvtepi16_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(lanes.data()))));
@@ -158,8 +153,7 @@ loadLanes(const std::array<std::int16_t, 8>& lanes)
 } // namespace
 
 /// The same, eight at a time.
-__attribute__((target("avx2"))) ClusterTree::Sides ClusterTree::evaluateAvx2(const Group& nodes,
-                                                                             const ScaledLight& light)
+SHADOW_TARGET_AVX2 ClusterTree::Sides ClusterTree::evaluateAvx2(const Group& nodes, const ScaledLight& light)
 {
   const __m256 step = _mm256_set1_ps(light.w / units);
   const __m256 w = _mm256_set1_ps(light.w);
@@ -224,7 +218,8 @@ void ClusterTree::visitClusters(std::size_t group, Walk& walk, std::vector<Quart
   {
     walk.towards[word] = widen(sides.towards & all);
     walk.away[word] = widen(sides.away & all);
-    const unsigned int open = ~(sides.towards | sides.away) & all;
+    const std::size_t existing = std::min(this->clusters - quartersOfWord * word, quartersOfWord);
+    const unsigned int open = ~(sides.towards | sides.away) & ((1u << existing) - 1);
     if (open != 0)
     {
       mixed.push_back({static_cast<std::uint32_t>(word), open});

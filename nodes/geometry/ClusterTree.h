@@ -10,6 +10,7 @@
 #include "EdgeTable.h"
 #include "FacingBits.h"
 #include "PlaneBlock.h"
+#include "PlaneKernel.h"
 #include "ScaledLight.h"
 
 namespace shadow
@@ -53,8 +54,8 @@ public:
   /// @post  a triangle that has a bit faces the light as written, exactly; no corner of it is the light
   ///        rounded to single precision; and so do the triangles across the edges of its cluster
   /// @par Cost  O(nodes that do not face the light as one), and one store a word
-  void classify(const ScaledLight& light, FacingBits& towards, FacingBits& away,
-                std::vector<Quarters>& mixed) const;
+  void classify(const ScaledLight& light, FacingBits& towards, FacingBits& away, std::vector<Quarters>& mixed,
+                InstructionSet set = getInstructionSets().back()) const;
 
   /// Bytes held by the arrays.
   std::size_t getMemorySize() const;
@@ -85,6 +86,9 @@ private:
   struct Bounds;
   struct Walk;
 
+  void boundClusters(const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
+                     const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                     const std::vector<glm::vec3>& positions, double reach);
   std::size_t boundLevel(std::size_t level, std::size_t children);
   void store(std::size_t level, std::size_t node, const Bounds& bounds);
   Bounds load(std::size_t level, std::size_t node) const;
@@ -96,6 +100,7 @@ private:
 
   std::vector<std::vector<Group>> levels; ///< [0] clusters; the last one has one group
   std::size_t words = 0;
+  std::size_t clusters = 0;
 };
 
 } // namespace shadow

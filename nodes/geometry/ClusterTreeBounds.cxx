@@ -83,57 +83,61 @@ struct ClusterTree::Bounds
 ClusterTree::ClusterTree(const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
                          const std::vector<std::array<std::uint32_t, 3>>& triangles,
                          const std::vector<glm::vec3>& positions, double reach)
-    : words(planes.size())
+    : words(planes.size()), clusters((triangles.size() + PlaneBlock::quarter - 1) / PlaneBlock::quarter)
 {
-  const std::size_t clusters = (triangles.size() + PlaneBlock::quarter - 1) / PlaneBlock::quarter;
-  std::size_t nodes = clusters;
+  std::size_t nodes = this->clusters;
   do
   {
     this->levels.emplace_back((nodes + fan - 1) / fan);
     nodes = this->levels.back().size();
   } while (nodes > 1);
-
-  // Across which edges a cluster reaches, of one word at a time.
-  std::array<std::vector<std::uint32_t>, quartersOfWord> across;
-  for (std::size_t cluster = 0; cluster < clusters; ++cluster)
-  {
-    const std::size_t word = cluster / quartersOfWord;
-    if (cluster % quartersOfWord == 0)
-    {
-      for (std::vector<std::uint32_t>& list : across)
-      {
-        list.clear();
-      }
-      const EdgeTable::Record record = edges.getRecord(word);
-      for (std::size_t inner = 0; inner < record.inner; ++inner)
-      {
-        across[EdgeTable::triangleOf(record.innerFirst[inner]) / PlaneBlock::quarter].push_back(
-            static_cast<std::uint32_t>(64 * word) + EdgeTable::triangleOf(record.innerSecond[inner]));
-      }
-      for (std::size_t outer = 0; outer < record.outer; ++outer)
-      {
-        across[EdgeTable::triangleOf(record.outerFirst[outer]) / PlaneBlock::quarter].push_back(
-            record.outerSecond[outer]);
-      }
-    }
-    const std::size_t first = PlaneBlock::quarter * cluster;
-    const std::size_t end = std::min(first + PlaneBlock::quarter, triangles.size());
-    Bounds bounds;
-    bounds.centre = findCentre(first, end, triangles, positions, reach);
-    for (std::size_t triangle = first; triangle < end; ++triangle)
-    {
-      bounds.add(planes[word], triangle % PlaneBlock::triangles);
-    }
-    for (const std::uint32_t triangle : across[cluster % quartersOfWord])
-    {
-      bounds.add(planes[triangle / PlaneBlock::triangles], triangle % PlaneBlock::triangles);
-    }
-    this->store(0, cluster, bounds);
-  }
-  nodes = clusters;
+  this->boundClusters(planes, edges, triangles, positions, reach);
+  nodes = this->clusters;
   for (std::size_t level = 1; level < this->levels.size(); ++level)
   {
     nodes = this->boundLevel(level, nodes);
+  }
+}
+
+void ClusterTree::boundClusters(const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
+                                const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                const std::vector<glm::vec3>& positions, double reach)
+{
+  const auto add = [&planes](Bounds& bounds, std::size_t triangle)
+  { bounds.add(planes[triangle / PlaneBlock::triangles], triangle % PlaneBlock::triangles); };
+  std::array<Bounds, quartersOfWord> ofWord;
+  for (std::size_t word = 0; word < this->words; ++word)
+  {
+    const std::size_t first = quartersOfWord * word;
+    const std::size_t end = std::min(first + quartersOfWord, this->clusters);
+    for (std::size_t cluster = first; cluster < end; ++cluster)
+    {
+      const std::size_t begin = PlaneBlock::quarter * cluster;
+      const std::size_t behind = std::min(begin + PlaneBlock::quarter, triangles.size());
+      Bounds& bounds = ofWord[cluster - first];
+      bounds = Bounds();
+      bounds.centre = findCentre(begin, behind, triangles, positions, reach);
+      for (std::size_t triangle = begin; triangle < behind; ++triangle)
+      {
+        add(bounds, triangle);
+      }
+    }
+    // What lies across the edges.
+    const EdgeTable::Record record = edges.getRecord(word);
+    for (std::size_t inner = 0; inner < record.inner; ++inner)
+    {
+      add(ofWord[EdgeTable::triangleOf(record.innerFirst[inner]) / PlaneBlock::quarter],
+          PlaneBlock::triangles * word + EdgeTable::triangleOf(record.innerSecond[inner]));
+    }
+    for (std::size_t outer = 0; outer < record.outer; ++outer)
+    {
+      add(ofWord[EdgeTable::triangleOf(record.outerFirst[outer]) / PlaneBlock::quarter],
+          record.outerSecond[outer]);
+    }
+    for (std::size_t cluster = first; cluster < end; ++cluster)
+    {
+      this->store(0, cluster, ofWord[cluster - first]);
+    }
   }
 }
 

@@ -116,7 +116,14 @@ EdgeTable makeEdgeTable(const std::vector<Edge>& edges,
       ++next.outer;
     }
   }
-  std::sort(table.borders.begin(), table.borders.end());
+  // Sides go by where corners lie, vertices do not: so the order stays when a mesh moves.
+  std::sort(table.borders.begin(), table.borders.end(),
+            [&triangles](std::uint32_t a, std::uint32_t b)
+            {
+              const auto opposite = [&triangles](std::uint32_t border)
+              { return triangles[border / 3][(border % 3 + 2) % 3]; };
+              return a / 3 != b / 3 ? a < b : opposite(a) < opposite(b);
+            });
   return table;
 }
 

@@ -37,15 +37,13 @@ struct EdgeTable
   static std::uint32_t triangleOf(Code code) { return code & 63u; }
   static std::uint32_t sideOf(Code code) { return code >> 6; }
 
-  static constexpr std::size_t mostInner = 96;
-  static constexpr std::size_t mostOuter = 192;
   static constexpr std::size_t mostOfWord = 192; ///< each is a side of one of 64 triangles
 
   /// The edges of one word. So many bytes may be read from each array: those of its edges, and 32 more.
   struct Record
   {
-    std::size_t inner; ///< edges; mostInner at most
-    std::size_t outer; ///< edges; mostOuter at most
+    std::size_t inner; ///< edges; 96 at most
+    std::size_t outer; ///< edges; 192 at most
     const Code* innerFirst;
     const Code* innerSecond; ///< the same edges as sides of their second triangles
     const Code* outerFirst;
@@ -70,7 +68,7 @@ struct EdgeTable
 
   std::vector<Word> words;
   std::vector<std::uint32_t> data;    ///< records one after the other, so that each is in few cache lines
-  std::vector<std::uint32_t> borders; ///< 3 * triangle + side, rising
+  std::vector<std::uint32_t> borders; ///< 3 * triangle + side; by triangle, then by the vertex opposite
   std::size_t innerEdges = 0;
   std::size_t outerEdges = 0;
 

@@ -2,15 +2,12 @@
 
 #include <cstring>
 
+#include "Avx2.h"
 #include "FacingBits.h"
 
 // Vectors of GCC and Clang.
 #ifdef __GNUC__
 #define SHADOW_HAS_VECTORS
-#ifdef __x86_64__
-#define SHADOW_HAS_AVX2
-#include <immintrin.h>
-#endif
 #endif
 
 namespace shadow
@@ -126,8 +123,7 @@ struct LightLanes
   __m256i negativeBound;
 };
 
-__attribute__((target("avx2"), always_inline)) inline __m256i spreadPair(std::int16_t first,
-                                                                         std::int16_t second)
+SHADOW_INLINE_AVX2 __m256i spreadPair(std::int16_t first, std::int16_t second)
 {
   const PlaneBlock::Pair pair = {first, second};
   std::int32_t lane = 0;
@@ -135,17 +131,15 @@ __attribute__((target("avx2"), always_inline)) inline __m256i spreadPair(std::in
   return _mm256_set1_epi32(lane);
 }
 
-__attribute__((target("avx2"), always_inline)) inline LightLanes spreadLight(const LightInUnits& light)
+SHADOW_INLINE_AVX2 LightLanes spreadLight(const LightInUnits& light)
 {
   return {spreadPair(light.x, light.y), spreadPair(light.z, light.w), _mm256_set1_epi32(light.bound),
           _mm256_set1_epi32(-light.bound)};
 }
 
 /// Compares the 16 triangles of a quarter: -1 a lane in @p above or @p below.
-__attribute__((target("avx2"), always_inline)) inline void compareLanes(const PlaneBlock& block,
-                                                                        std::size_t quarter,
-                                                                        const LightLanes& light,
-                                                                        __m256i* above, __m256i* below)
+SHADOW_INLINE_AVX2 void compareLanes(const PlaneBlock& block, std::size_t quarter, const LightLanes& light,
+                                     __m256i* above, __m256i* below)
 {
   const auto* xy = reinterpret_cast<const __m256i*>(&block.xy[PlaneBlock::quarter * quarter]);
   const auto* zOffset = reinterpret_cast<const __m256i*>(&block.zOffset[PlaneBlock::quarter * quarter]);
@@ -159,8 +153,7 @@ __attribute__((target("avx2"), always_inline)) inline void compareLanes(const Pl
 }
 
 /// The bits of two times 16 triangles from their lanes.
-__attribute__((target("avx2"), always_inline)) inline std::uint64_t packBits(const __m256i* first,
-                                                                             const __m256i* second)
+SHADOW_INLINE_AVX2 std::uint64_t packBits(const __m256i* first, const __m256i* second)
 {
   // Packing works within halves of vectors: four parts come out as 0, 2, 1, 3.
   const __m256i bytes =
@@ -169,9 +162,9 @@ __attribute__((target("avx2"), always_inline)) inline std::uint64_t packBits(con
       _mm256_movemask_epi8(_mm256_permute4x64_epi64(bytes, _MM_SHUFFLE(3, 1, 2, 0))));
 }
 
-__attribute__((target("avx2"))) void compareBlocksAvx2(const PlaneBlock* blocks, std::size_t count,
-                                                       const LightInUnits& light, std::uint64_t* towards,
-                                                       std::uint64_t* away)
+SHADOW_TARGET_AVX2 void compareBlocksAvx2(const PlaneBlock* blocks, std::size_t count,
+                                          const LightInUnits& light, std::uint64_t* towards,
+                                          std::uint64_t* away)
 {
   const LightLanes lanes = spreadLight(light);
   for (std::size_t index = 0; index < count; ++index)
@@ -187,9 +180,9 @@ __attribute__((target("avx2"))) void compareBlocksAvx2(const PlaneBlock* blocks,
   }
 }
 
-__attribute__((target("avx2"))) void compareQuartersAvx2(const PlaneBlock& block, unsigned int quarters,
-                                                         const LightInUnits& light, std::uint64_t& towards,
-                                                         std::uint64_t& away)
+SHADOW_TARGET_AVX2 void compareQuartersAvx2(const PlaneBlock& block, unsigned int quarters,
+                                            const LightInUnits& light, std::uint64_t& towards,
+                                            std::uint64_t& away)
 {
   const LightLanes lanes = spreadLight(light);
   for (; quarters != 0; quarters &= quarters - 1)

@@ -2,13 +2,8 @@
 
 #include <algorithm>
 
+#include "Avx2.h"
 #include "FacingBits.h"
-
-#if defined(__GNUC__) && defined(__x86_64__)
-#define SHADOW_HAS_AVX2
-#define SHADOW_TARGET_AVX2 __attribute__((target("avx2")))
-#include <immintrin.h>
-#endif
 
 namespace shadow
 {
@@ -116,7 +111,7 @@ std::uint64_t maskOf(std::size_t count)
 }
 
 /// For 32 codes: -1 where the bit of the triangle is 0.
-__attribute__((target("avx2"), always_inline)) inline __m256i findClear(__m256i codes, __m256i bits)
+SHADOW_INLINE_AVX2 __m256i findClear(__m256i codes, __m256i bits)
 {
   const __m256i seven = _mm256_set1_epi8(7);
   const __m256i singleBits = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201u));
@@ -129,8 +124,8 @@ __attribute__((target("avx2"), always_inline)) inline __m256i findClear(__m256i 
 }
 
 /// Of 32 inner edges: a bit for each whose triangles differ.
-__attribute__((target("avx2"), always_inline)) inline std::uint64_t
-compareInner32(const Record& record, std::size_t begin, std::uint64_t towards, const std::uint64_t* away)
+SHADOW_INLINE_AVX2 std::uint64_t compareInner32(const Record& record, std::size_t begin,
+                                                std::uint64_t towards, const std::uint64_t* away)
 {
   const __m256i first = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerFirst + begin));
   const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.innerSecond + begin));
@@ -164,8 +159,8 @@ SHADOW_TARGET_AVX2 inline DifferingEdge* compareInnerAvx2(const Record& record, 
 }
 
 /// For 8 outer edges of a word: the upper bit says that the triangles differ in their bits.
-__attribute__((target("avx2"), always_inline)) inline __m256i
-findDifferent(__m256i first, __m256i second, const std::uint64_t* bits, std::size_t word)
+SHADOW_INLINE_AVX2 __m256i findDifferent(__m256i first, __m256i second, const std::uint64_t* bits,
+                                         std::size_t word)
 {
   // In halves of words, as there are eight of them in a vector; the lower half comes first.
   const auto* halves = reinterpret_cast<const int*>(bits);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "EdgeScan.h"
+#include "FacingBits.h"
 #include "FacingDecider.h"
 #include "Prefetch.h"
 

@@ -241,6 +241,62 @@ TEST(ClusterTree, SmoothMesh_LooksAtFewWordsOnly)
   }
 }
 
+TEST(ClusterTree, SmoothMesh_ReadsFewQuartersOfThese)
+{
+  const SEDGeometry geometry = build(makeTorus(1.0, 0.4, 400, 200));
+  const std::size_t triangles = geometry.getTriangles().size();
+  FacingBits towards(triangles);
+  FacingBits away(triangles);
+  std::vector<ClusterTree::Quarters> mixed;
+  const FacingDecider decider(geometry, {1.2, -2.0, 0.7, 1.0});
+  geometry.getClusterTree().classify(decider.getScaledLight(), towards, away, mixed);
+  std::size_t quarters = 0;
+  for (const ClusterTree::Quarters& word : mixed)
+  {
+    for (std::uint32_t bits = word.bits; bits != 0; bits &= bits - 1)
+    {
+      ++quarters;
+    }
+  }
+  ASSERT_GT(mixed.size(), 20u);
+  EXPECT_LT(quarters, 3 * mixed.size());
+}
+
+TEST(ClusterTree, AnyInstructionSet_BitsAreExactWhereThereAreAny)
+{
+  for (const NamedMesh& mesh : makeAllMeshes())
+  {
+    SCOPED_TRACE(mesh.name);
+    const SEDGeometry geometry = build(mesh.soup);
+    const std::size_t triangles = geometry.getTriangles().size();
+    for (const glm::dvec4& light : makeLights(geometry, 16, 4))
+    {
+      const LightFacing exact = faceExactly(geometry, light);
+      const FacingDecider decider(geometry, light);
+      for (const InstructionSet set : getInstructionSets())
+      {
+        FacingBits towards(triangles);
+        FacingBits away(triangles);
+        std::vector<ClusterTree::Quarters> mixed;
+        geometry.getClusterTree().classify(decider.getScaledLight(), towards, away, mixed, set);
+        std::vector<std::uint64_t> open(towards.getWords().size(), 0);
+        for (const auto& [word, quarters] : mixed)
+        {
+          for (std::uint32_t quarter = 0; quarter < 4; ++quarter)
+          {
+            open[word] |= (quarters >> quarter & 1u) != 0 ? std::uint64_t{0xffff} << 16 * quarter : 0;
+          }
+        }
+        for (std::size_t word = 0; word < open.size(); ++word)
+        {
+          EXPECT_EQ(towards.getWords()[word], exact.towards.getWords()[word] & ~open[word]);
+          EXPECT_EQ(away.getWords()[word], exact.away.getWords()[word] & ~open[word]);
+        }
+      }
+    }
+  }
+}
+
 TEST(ClusterTree, SiblingsAtOppositeEnds_FaceAsExactly)
 {
   // Seven clusters at one end and one at the other: from the centre of all of them its planes pass farther

@@ -74,6 +74,16 @@ void expectSame(const SEDGeometry& a, const SEDGeometry& b)
   EXPECT_EQ(a.getReport().zeroAreaTriangles, b.getReport().zeroAreaTriangles);
 }
 
+/// The same edges in the same order.
+void expectSameEdges(const SEDGeometry& a, const SEDGeometry& b)
+{
+  const std::vector<Edge> edges = a.getEdges().toVector();
+  const std::vector<Edge> others = b.getEdges().toVector();
+  EXPECT_TRUE(std::equal(edges.begin(), edges.end(), others.begin(), others.end(),
+                         [](const Edge& edge, const Edge& other)
+                         { return edge.vertices == other.vertices && edge.triangles == other.triangles; }));
+}
+
 } // namespace
 
 // The mesh in between has the same corners in the same order, but runs the other way: the order of triangles
@@ -114,6 +124,10 @@ TEST(MovedMesh, SameTopologyUnlessAnythingButPositionsDiffers)
     {
       EXPECT_TRUE(isSameMeshMoved(before, after));
       EXPECT_TRUE(isSameMeshMoved(before, back));
+    }
+    if (isSameMeshMoved(before, after))
+    {
+      expectSameEdges(before, after);
     }
     EXPECT_EQ(before.getTriangles() == after.getTriangles(),
               before.getRasterOrder() == after.getRasterOrder());
