@@ -75,9 +75,10 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
 
 glm::vec2 depthBias(bool reversedDepth, bool asSides)
 {
-  // Relative to the distance, and so the same number of units everywhere: two in the last place. A power of
-  // two: w - w * rounding + w * rounding is w again, whatever is rounded on the way, while with 1.2e-7 one
-  // far end in 150 came to lie beyond the far plane.
+  // With reversed depth the same number of units everywhere: two in the last place. With ordinary depth,
+  // which is close to 1 for all that is not close to the near plane, often less than one: see the header. A
+  // power of two: w - w * rounding + w * rounding is w again, whatever is rounded on the way, while
+  // with 1.2e-7 one far end in 150 came to lie beyond the far plane.
   const float rounding = asSides ? std::numeric_limits<float>::epsilon() : 0.0f;
   return {1.0f - rounding, reversedDepth ? 0.0f : rounding};
 }

@@ -53,7 +53,9 @@ private:
 
 /// What depth is multiplied with, and what times w is added, so that positions keep their depth, or that
 /// sides of volumes lie a few units of rounding farther: where a side starts at the edge of a lit surface it
-/// would else be a matter of rounding whether it is in front of that surface.
+/// would else be a matter of rounding whether it is in front of that surface. That is how it is without
+/// reversed depth (clip control, GL 4.5): there only what is up to three or four times as far as the near
+/// plane is sure to be moved, for a shift that always counts would be seen elsewhere.
 /// @post what is on the far plane stays there: the ends at infinity of volumes are not cut off
 glm::vec2 depthBias(bool reversedDepth, bool asSides);
 

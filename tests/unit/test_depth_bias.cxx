@@ -41,6 +41,7 @@ TEST(DepthBias, EndAtInfinity_StaysOnTheFarPlane)
   EXPECT_EQ(biasDepth(depthBias(true, true), 0.0f, 3.0f), 0.0f) << "reversed depth is 0 there";
 }
 
+// Ordinary depth at up to three times the near distance; reversed depth anywhere.
 TEST(DepthBias, Sides_AreFartherThanSurfaces)
 {
   for (std::uint32_t mantissa = 0; mantissa < mantissas; mantissa += 1001)
@@ -49,6 +50,10 @@ TEST(DepthBias, Sides_AreFartherThanSurfaces)
     const float z = withMantissa(mantissa / 2);
     EXPECT_GT(biasDepth(depthBias(false, true), z, w), z);
     EXPECT_LT(biasDepth(depthBias(true, true), z, w), z);
+    for (const float nearer : {1.0f, 1e-3f, 1e-6f})
+    {
+      EXPECT_LT(biasDepth(depthBias(true, true), nearer * z, w), nearer * z);
+    }
     EXPECT_EQ(biasDepth(depthBias(false, false), z, w), z);
     EXPECT_EQ(biasDepth(depthBias(true, false), z, w), z);
   }
