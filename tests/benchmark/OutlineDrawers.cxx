@@ -3,7 +3,6 @@
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
-#include <vtkImageData.h>
 #include <vtkOutlineGlowPass.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -58,15 +57,6 @@ public:
   }
   std::string getName() const override { return "vtkSilhouettePass"; }
   void setLineWidth(double width) override { this->pass->SetLineWidth(width); }
-
-  std::vector<unsigned char> readLines() override
-  {
-    this->window->Render();
-    vtkNew<vtkImageData> image;
-    this->pass->GetLineMask(image);
-    const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
-    return {pixels, pixels + image->GetNumberOfPoints()};
-  }
 
 private:
   vtkNew<vtkSilhouettePass> pass;

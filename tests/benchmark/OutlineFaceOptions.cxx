@@ -69,7 +69,7 @@ void compareOn(const std::string& what, const Mesh& mesh, double zoom, int round
       pass->SetLeaveOutFlatFaces(options[i].leaveOut);
       for (int frame = 0; frame < 3; ++frame)
       {
-        drawer->readLines();
+        drawer->drawNext();
         times[i].push_back(pass->GetEdgeMilliseconds() + pass->GetLineMilliseconds());
         triangles[i] = pass->GetLineTriangles();
       }
