@@ -46,7 +46,8 @@ if(VTKSHADOW_HEADLESS)
     test_outline_pass.cxx
     test_outline_refusals.cxx
     test_outline_state.cxx
-    test_outline_windows.cxx)
+    test_outline_windows.cxx
+    test_outline_without_area.cxx)
   target_link_libraries(test_outline_pass PRIVATE
     shadow_outline_scene shadow_ball_scene shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
     ${CMAKE_DL_LIBS})
