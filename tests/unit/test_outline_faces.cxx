@@ -186,3 +186,21 @@ TEST(OutlineFaces, Needles_LinesOfRectanglesFromAnySide)
     expectRight(scene, 0.97);
   }
 }
+
+TEST(OutlineFaces, TinyAndHugeMeshes_LinesOfRectanglesAndOfTheTruth)
+{
+  for (const double scale : {1e-11, 1.0, 1e11})
+  {
+    SCOPED_TRACE(scale);
+    OutlineScene scene(200, 150);
+    TriangleSoup ring = makeTorus(1.0, 0.4, 24, 12);
+    for (glm::dvec3& point : ring.points)
+    {
+      point *= scale;
+    }
+    scene.addPolyData(toPolyData(ring));
+    setCamera(scene, scale * glm::dvec3(1.0, 2.0, 3.5), {0.0, 0.0, 0.0});
+    expectTechniquesAgree(scene);
+    expectRight(scene);
+  }
+}
