@@ -248,6 +248,31 @@ TEST(DeformingMesh, LinesAreThoseOfANewPass_ByBothTechniques)
   }
 }
 
+TEST(DeformingMesh, MemoryOfOutlinesIsThatOfANewPass)
+{
+  const TriangleSoup soup = makeTestTorus();
+  DeformingScene scene(soup);
+  const auto renderFacesThenRectangles = [&](vtkSilhouettePass* by, bool moves)
+  {
+    scene.renderer->SetPass(by);
+    by->SetTechniqueToFaces();
+    show(scene.polyData, moves ? moved(soup, bulge(0.2)) : soup);
+    scene.window->Render();
+    // The normals are out of date, but stay where they are.
+    by->SetTechniqueToRectangles();
+    show(scene.polyData, soup);
+    scene.window->Render();
+    return by->GetMemorySize();
+  };
+  vtkNew<vtkSilhouettePass> still;
+  vtkNew<vtkSilhouettePass> moving;
+  const vtkIdType expected = renderFacesThenRectangles(still, false);
+  still->ReleaseGraphicsResources(scene.window);
+  const auto normals = static_cast<vtkIdType>(12 * soup.triangles.size());
+  EXPECT_GT(renderFacesThenRectangles(moving, true), expected - normals / 2);
+  moving->ReleaseGraphicsResources(scene.window);
+}
+
 TEST(DeformingMesh, AnotherDataSetAtEachTime_OnlyPositionsAreUploaded)
 {
   const TriangleSoup soup = makeTestTorus();
