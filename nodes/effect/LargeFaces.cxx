@@ -23,8 +23,9 @@ constexpr double pixelDiagonal = 1.4142136;
 ///
 /// An equilateral triangle with edges of a, scaled about its incentre until all within R of it is covered, is
 /// 3 sqrt(3) (a / sqrt(12) + R)^2 large; the thin triangles along two of its edges are 8 R (a + 2 R). The
-/// first is twice the second at a = 32 R. Of another shape it is twice as large from another length on, of half
-/// a square at 38 R: the shader compares face by face, this only spares it most of those that cannot be large.
+/// first is twice the second at a = 32 R. Of another shape it is twice as large from another length on, of
+/// half a square at 38 R: the shader compares face by face, this only spares it most of those that cannot be
+/// large.
 /// @param reach  R
 double findShortest(double reach)
 {

@@ -267,9 +267,12 @@ TEST(DeformingMesh, MemoryOfOutlinesIsThatOfANewPass)
     by->SetTechniqueToFaces();
     show(scene.polyData, moves ? moved(soup, bulge(0.2)) : soup);
     scene.window->Render();
-    // The normals are out of date, but stay where they are.
     by->SetTechniqueToRectangles();
-    show(scene.polyData, soup);
+    if (moves)
+    {
+      // The normals are out of date, but stay where they are.
+      show(scene.polyData, soup);
+    }
     scene.window->Render();
     return by->GetMemorySize();
   };
