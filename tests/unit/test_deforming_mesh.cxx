@@ -3,15 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -20,6 +17,7 @@
 #include "DeformedMesh.h"
 #include "OutlineBall.h"
 #include "SilhouetteMethods.h"
+#include "SoupPolyData.h"
 #include "UploadCounter.h"
 
 using namespace shadow;
@@ -30,19 +28,9 @@ namespace
 
 void show(vtkPolyData* polyData, const TriangleSoup& soup)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const glm::dvec3& point : soup.points)
-  {
-    points->InsertNextPoint(&point.x);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const std::array<std::uint32_t, 3>& corners : soup.triangles)
-  {
-    triangles->InsertNextCell({corners[0], corners[1], corners[2]});
-  }
-  polyData->SetPoints(points);
-  polyData->SetPolys(triangles);
+  const vtkSmartPointer<vtkPolyData> shown = toPolyData(soup);
+  polyData->SetPoints(shown->GetPoints());
+  polyData->SetPolys(shown->GetPolys());
 }
 
 /// The ball of a BallScene is a mesh that changes.
