@@ -163,14 +163,25 @@ bool findLine(int face, int edge, vec3 own, vec3 cornersMC[3], vec4 thirdCC, out
   return true;
 }
 
+// A face's normal, as its raster order orients it: of length 1, or zero without an area. A mesh may be of any size:
+// products of lengths as they are would leave single precision.
+vec3 normalOf(vec3 cornersMC[3])
+{
+  vec3 first = cornersMC[1] - cornersMC[0];
+  vec3 second = cornersMC[2] - cornersMC[0];
+  vec3 largest = max(abs(first), abs(second));
+  float size = max(max(largest.x, largest.y), largest.z);
+  vec3 normal = size > 0.0 ? cross(first / size, second / size) : vec3(0.0);
+  return normal == vec3(0.0) ? normal : normalize(normal);
+}
+
 // Hands on those edges of a face that are lines, of a part of it the one that it is drawn for. True: the face is to be
 // drawn in three parts.
 // edge  of the part
 // cut   by the near plane: the face is no triangle on the screen
 bool handOnLines(int face, int edge, vec3 cornersMC[3], vec4 cornersCC[3], vec2 corners[3], bool cut)
 {
-  vec3 own = cross(cornersMC[1] - cornersMC[0], cornersMC[2] - cornersMC[0]);
-  own = own == vec3(0.0) ? own : normalize(own);
+  vec3 own = normalOf(cornersMC);
   Line lines[3];
   bool isLine[3];
   float lineLength = 0.0;

@@ -7,11 +7,16 @@
 namespace shadow
 {
 
-bool BufferTexels::attach(unsigned int buffer, std::size_t numbers)
+bool BufferTexels::canLookUp(std::size_t numbers)
 {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (numbers > static_cast<std::size_t>(most))
+  return numbers <= static_cast<std::size_t>(most);
+}
+
+bool BufferTexels::attach(unsigned int buffer, std::size_t numbers)
+{
+  if (!canLookUp(numbers))
   {
     return false;
   }

@@ -21,6 +21,9 @@ public:
   BufferTexels(const BufferTexels&) = delete;
   BufferTexels& operator=(const BufferTexels&) = delete;
 
+  /// Whether the GL can look up so many numbers.
+  static bool canLookUp(std::size_t numbers);
+
   /// Looks into a buffer that belongs to somebody else.
   /// @return false when the GL can look up fewer numbers than that
   bool attach(unsigned int buffer, std::size_t numbers);

@@ -70,7 +70,7 @@ SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& sedGeometry)
 std::size_t SEDGeometryDrawable::update(const SEDGeometry& moved)
 {
   this->geometry = &moved;
-  this->normalBytes = 0;
+  this->normalsUploaded = false;
   std::size_t copied = this->uploadPositions();
   if (this->volumeVertexBuffer != 0)
   {

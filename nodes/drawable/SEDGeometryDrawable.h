@@ -106,7 +106,8 @@ private:
   BufferTexels cornerTexels{BufferTexels::Number::Unsigned};
   BufferTexels normalTexels{BufferTexels::Number::Unsigned};
   unsigned int normalBuffer = 0; ///< TAMLayout::Shared
-  std::size_t normalBytes = 0;   ///< 0: they are not those of the geometry
+  std::size_t normalBytes = 0;
+  bool normalsUploaded = false; ///< they are those of the geometry
   std::size_t volumeBytes = 0;
   std::size_t triangles = 0;
   std::size_t vertices = 0;

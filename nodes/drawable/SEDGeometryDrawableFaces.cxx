@@ -60,21 +60,23 @@ bool SEDGeometryDrawable::drawFaces(vtkOpenGLState* state, vtkShaderProgram* pro
                                     const TopologyAwareMesh& mesh, const std::vector<FaceRun>& runs,
                                     const std::vector<FaceRun>& split)
 {
+  const std::size_t normals = 3 * this->triangles;
+  if (!BufferTexels::canLookUp(normals) || !this->bindFaceTexels(state, program))
+  {
+    return false;
+  }
   if (this->normalBuffer == 0)
   {
     glGenBuffers(1, &this->normalBuffer);
   }
-  if (this->normalBytes == 0)
+  if (!this->normalsUploaded)
   {
     this->normalBytes = uploadBuffer(GL_TEXTURE_BUFFER, this->normalBuffer,
                                      mesh.pack(*this->geometry, TAMLayout::Shared), GL_STATIC_DRAW);
+    this->normalsUploaded = true;
     glBindBuffer(GL_TEXTURE_BUFFER, 0);
   }
-  if (!this->normalTexels.attach(this->normalBuffer, 3 * this->triangles) ||
-      !this->bindFaceTexels(state, program))
-  {
-    return false;
-  }
+  this->normalTexels.attach(this->normalBuffer, normals);
   this->normalTexels.bind(state, static_cast<unsigned int>(program->GetHandle()), firstFreeUnit,
                           "normalTexels");
   drawRuns(program, runs, false);

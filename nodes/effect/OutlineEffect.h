@@ -26,8 +26,8 @@ class vtkShaderProgram;
 namespace shadow
 {
 
-/// How lines are found and drawn. All give the same picture, but for Faces where single precision cannot tell
-/// which way a triangle faces.
+/// How lines are found and drawn. All give the same picture, but for Faces where the eye is closer to a
+/// triangle's plane than 16 bits a coordinate of its normal tell, see packNormal().
 enum class LineTechnique
 {
   Rectangles, ///< edges found from an exact facing on the CPU, each drawn as a rectangle

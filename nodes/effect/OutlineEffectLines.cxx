@@ -138,8 +138,12 @@ bool OutlineEffect::drawFacesOf(const Surface& surface, vtkOpenGLState* state, v
 {
   const SEDGeometry& geometry = *surface.geometry;
   const std::shared_ptr<const TopologyAwareMesh>& mesh = surface.lines->mesh;
-  const auto contributing = geometry.getPreparedData().get<ContributingFaces>(
-      0.0, [&] { return ContributingFaces(geometry, *mesh); });
+  std::shared_ptr<const ContributingFaces> contributing;
+  if (settings.leavesOutFlatFaces || settings.splitsLargeFaces)
+  {
+    contributing = geometry.getPreparedData().get<ContributingFaces>(
+        0.0, [&] { return ContributingFaces(geometry, *mesh); });
+  }
   const std::vector<FaceRun> all = {{0, static_cast<std::uint32_t>(mesh->countFaces())}};
   const std::vector<FaceRun>& whole = settings.leavesOutFlatFaces ? contributing->getRuns() : all;
   LargeFaces& large = surface.lines->largeFaces;

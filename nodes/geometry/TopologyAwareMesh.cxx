@@ -11,47 +11,9 @@ namespace shadow
 namespace
 {
 
-/// The longest edge: of a triangle without area, the one that covers both others.
-std::size_t findLongestEdge(const SEDGeometry& geometry, std::size_t face)
-{
-  const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[face];
-  std::array<double, 3> lengths{};
-  for (std::size_t edge = 0; edge < 3; ++edge)
-  {
-    const glm::dvec3 from(geometry.getPositions()[corners[edge]]);
-    const glm::dvec3 to(geometry.getPositions()[corners[(edge + 1) % 3]]);
-    lengths[edge] = glm::distance(from, to);
-  }
-  return static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
-}
-
 bool hasArea(const SEDGeometry& geometry, std::size_t face)
 {
   return geometry.getPlane(face).normal != glm::dvec3(0.0);
-}
-
-/// Two faces with an area, in exactly one plane and on the same side of it.
-bool lieAlike(const SEDGeometry& geometry, std::size_t face, std::size_t other)
-{
-  const glm::dvec3 normal = geometry.getPlane(face).normal;
-  const glm::dvec3 otherNormal = geometry.getPlane(other).normal;
-  const double cosine = glm::dot(normal, otherNormal) / (glm::length(normal) * glm::length(otherNormal));
-  // Spares most pairs the exact test.
-  if (!(cosine > 0.999999))
-  {
-    return false;
-  }
-  const std::vector<glm::vec3>& positions = geometry.getPositions();
-  const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[face];
-  const std::array<std::uint32_t, 3>& others = geometry.getTriangles()[other];
-  return std::all_of(others.begin(), others.end(),
-                     [&](std::uint32_t vertex)
-                     {
-                       return std::find(corners.begin(), corners.end(), vertex) != corners.end() ||
-                              exactOrientation(positions[corners[0]], positions[corners[1]],
-                                               positions[corners[2]],
-                                               glm::dvec4(positions[vertex], 1.0)) == 0;
-                     });
 }
 
 } // namespace
@@ -164,59 +126,46 @@ glm::vec3 TopologyAwareMesh::getNeighbourNormal(std::size_t face, std::size_t ed
 EdgeFate TopologyAwareMesh::getFate(const SEDGeometry& geometry, std::size_t face, std::size_t edge) const
 {
   const std::uint32_t neighbour = this->neighbours[face][edge];
-  const bool turned = neighbour == noTriangle && this->getTurnedNeighbour(face, edge) != noTriangle;
-  if (neighbour == noTriangle && !turned)
+  const std::uint32_t turned = neighbour == noTriangle ? this->getTurnedNeighbour(face, edge) : noTriangle;
+  if (neighbour == noTriangle && turned == noTriangle)
   {
     return EdgeFate::Border;
   }
-  if (!hasArea(geometry, face))
+  const std::uint32_t other = this->getSource(turned != noTriangle ? turned : neighbour);
+  if (!hasArea(geometry, face) || other == noTriangle)
   {
     return EdgeFate::Never;
   }
-  if (turned)
-  {
-    return EdgeFate::Open;
-  }
-  if (!hasArea(geometry, neighbour))
-  {
-    // The face stands in for it?
-    const bool standsIn = this->neighbours[neighbour][findLongestEdge(geometry, neighbour)] == face;
-    return standsIn ? EdgeFate::Never : EdgeFate::Open;
-  }
-  return lieAlike(geometry, face, neighbour) ? EdgeFate::Never : EdgeFate::Open;
+  return turned == noTriangle && this->lieAlike(geometry, static_cast<std::uint32_t>(face), other)
+             ? EdgeFate::Never
+             : EdgeFate::Open;
 }
 
-// From face to face across their longest edges, which only get longer, until one has an area.
-void TopologyAwareMesh::findStandIns(const SEDGeometry& geometry)
+bool TopologyAwareMesh::lieAlike(const SEDGeometry& geometry, std::uint32_t face, std::uint32_t other)
 {
-  if (geometry.getReport().zeroAreaTriangles == 0)
+  if (face == other)
   {
-    return;
+    return true;
   }
-  const auto hasNormal = [this](std::uint32_t face) { return this->normals[face] != glm::vec3(0.0f); };
-  std::vector<bool> visited(this->countFaces(), false);
-  std::vector<std::uint32_t> chain;
-  for (std::uint32_t start = 0; start < this->countFaces(); ++start)
+  const glm::dvec3 normal = geometry.getPlane(face).normal;
+  const glm::dvec3 otherNormal = geometry.getPlane(other).normal;
+  const double cosine = glm::dot(normal, otherNormal) / (glm::length(normal) * glm::length(otherNormal));
+  // Spares most pairs the exact test.
+  if (!(cosine > 0.999999))
   {
-    chain.clear();
-    std::uint32_t face = start;
-    // A chain that comes to a face it has been to, or to one whose own chain found nothing, finds nothing.
-    while (face != noTriangle && !hasNormal(face) && !visited[face])
-    {
-      visited[face] = true;
-      chain.push_back(face);
-      face = this->neighbours[face][findLongestEdge(geometry, face)];
-    }
-    if (face == noTriangle || !hasNormal(face))
-    {
-      continue;
-    }
-    for (auto member = chain.rbegin(); member != chain.rend(); ++member)
-    {
-      this->normals[*member] = this->normals[face];
-      this->standIns.push_back({*member, face});
-    }
+    return false;
   }
+  const std::vector<glm::vec3>& positions = geometry.getPositions();
+  const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[face];
+  const std::array<std::uint32_t, 3>& others = geometry.getTriangles()[other];
+  return std::all_of(others.begin(), others.end(),
+                     [&](std::uint32_t vertex)
+                     {
+                       return std::find(corners.begin(), corners.end(), vertex) != corners.end() ||
+                              exactOrientation(positions[corners[0]], positions[corners[1]],
+                                               positions[corners[2]],
+                                               glm::dvec4(positions[vertex], 1.0)) == 0;
+                     });
 }
 
 std::size_t TopologyAwareMesh::getMemorySize() const

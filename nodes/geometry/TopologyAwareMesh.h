@@ -50,14 +50,20 @@ struct FaceEdges
 /// Faces, corners and edges are those of the SEDGeometry it was made from: face t is triangle t, corners are
 /// in raster order, edge k joins the corners k and (k + 1) % 3.
 ///
-/// An edge without a neighbour has the negated normal of its own face, and so is always on the silhouette.
+/// An edge without a neighbour has the negated normal of its own face: by the paper's comparison, which the
+/// layouts Full and Half are made for, it is always on the silhouette. findLines() and the layout Shared know
+/// borders as such, to be drawn or not.
+///
 /// Where three or more triangles meet in an edge, SEDGeometry has paired them: each pair is an edge with two
 /// faces, and who is left has a border there, always drawn. Two faces that are left and run through the edge
 /// the same way, as where a surface that cannot be oriented is cut, are neighbours of which each sees the
 /// other turned over: they are on the silhouette when they face the eye as one.
 ///
 /// A face without area has no side. It takes the normal and the facing of the face across its longest edge,
-/// so that a T-junction which such a face closes draws no line across a smooth surface.
+/// so that a T-junction which such a face closes draws no line across a smooth surface. Over other such faces
+/// the search goes on; two that have their longest edge in common are left across another one. Where that
+/// leads to a border, or nowhere, the surface ends: such a face has no side, and neither it nor a neighbour
+/// has a line there but the border.
 ///
 /// Lasts on its own; functions that also need positions are handed the geometry it was made from.
 ///
@@ -77,24 +83,25 @@ public:
     return this->neighbours[face][edge];
   }
 
-  /// The face's own normal, as it is oriented: of length 1, or zero where no neighbour gives it one.
+  /// The face's own normal, as it is oriented: of length 1, or zero where none stands in for it.
   const glm::vec3& getNormal(std::size_t face) const { return this->normals[face]; }
 
   /// The normal stored for an edge: the neighbour's, that of a neighbour that is turned over negated, or the
-  /// negated own one on a border.
+  /// negated own one on a border. Zero where the neighbour has none.
   glm::vec3 getNeighbourNormal(std::size_t face, std::size_t edge) const;
 
   /// What is known of an edge without an eye.
   ///
-  /// It is never a line when both faces have an area, lie exactly in one plane, and look to the same side of
-  /// it: every eye then sees both from the same side. Of a face without area no edge but its borders is a
-  /// line: what other lines there are its neighbours have, which store the normal from beyond it. Only
-  /// between two such faces that have their sides from different faces may a line be lost.
+  /// It is never a line when its faces, or those that stand in for them, lie exactly in one plane and look to
+  /// the same side of it: every eye then sees both from the same side. Nor is it where one of them has no
+  /// side. Of a face without area no edge but its borders is a line: what other lines there are its
+  /// neighbours have, which store the normal from beyond it. Only between two such faces that have their
+  /// sides from different faces may a line be lost.
   ///
   /// A concave edge is not among them. Of a solid seen from outside it is hidden, but a hidden line may be
   /// asked for, the eye may be inside, and the near plane may cut away what hides it.
   ///
-  /// @par Cost    O(1)
+  /// @par Cost    O(1); O(log(faces without area)) beside one of these
   /// @par Source  Valient, section 4: faces that cannot contribute are left out
   EdgeFate getFate(const SEDGeometry& geometry, std::size_t face, std::size_t edge) const;
 
@@ -113,7 +120,7 @@ public:
   /// The edges that are lines for an eye, each once: it belongs to the lower one of its faces.
   ///
   /// An edge is on the silhouette when one of its faces looks towards the eye and the other one does not; a
-  /// face with the eye in its plane does not.
+  /// face with the eye in its plane does not. Where a face has no side, none of its edges is.
   ///
   /// @param facing  towards the eye, as computeFacing() or a SilhouetteFinder gives it, and completed
   /// @param lines   is overwritten; rising by face
@@ -121,7 +128,8 @@ public:
   void findLines(const SEDGeometry& geometry, const LightFacing& facing, const LineKinds& kinds,
                  std::vector<FaceEdges>& lines) const;
 
-  /// The edges whose faces' normals are more than an angle apart; borders are none.
+  /// The edges whose faces' normals are more than an angle apart. Borders are none, nor are edges within a
+  /// plane, however rounding turns normals.
   /// @param degrees  0 to 180
   /// @par Cost       O(edges)
   std::vector<FaceEdges> findCreases(const SEDGeometry& geometry, double degrees) const;
@@ -138,9 +146,10 @@ public:
 private:
   struct StandIn
   {
-    std::uint32_t face; ///< without area
-    std::uint32_t source;
+    std::uint32_t face;   ///< without area
+    std::uint32_t source; ///< with one
   };
+  class StandInSearch;
   /// Two sides, 3 * face + edge, of faces that are turned over to one another.
   struct TurnedPair
   {
@@ -151,12 +160,21 @@ private:
   void pairBorders(const SEDGeometry& geometry);
   void findStandIns(const SEDGeometry& geometry);
   std::uint32_t getTurnedNeighbour(std::size_t face, std::size_t edge) const; ///< or noTriangle
+  bool hasSide(std::size_t face) const { return this->normals[face] != glm::vec3(0.0f); }
+
+  /// The face whose side a face has: its own, that of who stands in for it, or noTriangle.
+  std::uint32_t getSource(std::size_t face) const;
+
+  /// Two faces with an area, in exactly one plane and on the same side of it, or one and the same.
+  static bool lieAlike(const SEDGeometry& geometry, std::uint32_t face, std::uint32_t other);
+  void removeWithoutSide(std::vector<FaceEdges>& lines) const;
 
   std::vector<std::array<std::uint32_t, 3>> neighbours;
   std::vector<glm::vec3> normals;
   std::vector<std::uint32_t> borders;  ///< sides without a neighbour, rising
   std::vector<TurnedPair> turnedPairs; ///< each twice, rising by side
-  std::vector<StandIn> standIns;       ///< a source comes before whoever it stands in for
+  std::vector<StandIn> standIns;       ///< rising by face
+  bool allHaveSides = true;
 };
 
 /// Bytes of the mesh that a topology-aware mesh is held against: 44 for each vertex (position, normal,

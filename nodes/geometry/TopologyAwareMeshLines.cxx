@@ -95,10 +95,11 @@ void TopologyAwareMesh::findLines(const SEDGeometry& geometry, const LightFacing
       addSilhouette(table, facing.towards, word, lines);
     }
   }
+  this->removeWithoutSide(lines);
   for (const TurnedPair& pair : this->turnedPairs)
   {
-    if (kinds.silhouette && pair.side < pair.other &&
-        facing.towards.test(pair.side / 3) == facing.towards.test(pair.other / 3))
+    if (kinds.silhouette && this->hasSide(pair.side / 3) && this->hasSide(pair.other / 3) &&
+        pair.side < pair.other && facing.towards.test(pair.side / 3) == facing.towards.test(pair.other / 3))
     {
       lines.push_back({pair.side / 3, 1u << pair.side % 3});
     }
@@ -117,24 +118,46 @@ void TopologyAwareMesh::findLines(const SEDGeometry& geometry, const LightFacing
   gather(lines);
 }
 
+// @param lines  one edge each
+void TopologyAwareMesh::removeWithoutSide(std::vector<FaceEdges>& lines) const
+{
+  if (this->allHaveSides)
+  {
+    return;
+  }
+  const auto isWithout = [this](const FaceEdges& line)
+  {
+    const std::size_t edge = line.edges >> 1; // 0, 1, 2 for the bits 1, 2, 4
+    return !this->hasSide(line.face) || !this->hasSide(this->neighbours[line.face][edge]);
+  };
+  lines.erase(std::remove_if(lines.begin(), lines.end(), isWithout), lines.end());
+}
+
 std::vector<FaceEdges> TopologyAwareMesh::findCreases(const SEDGeometry& geometry, double degrees) const
 {
   const double largestCosine = std::cos(std::clamp(degrees, 0.0, 180.0) * 3.14159265358979323846 / 180.0);
   std::vector<FaceEdges> creases;
-  const auto add = [&](std::uint32_t face, std::uint32_t edge)
+  const auto isSharp = [&](std::uint32_t face, std::uint32_t edge)
   {
     const glm::dvec3 one(this->normals[face]);
     const glm::dvec3 other(this->getNeighbourNormal(face, edge));
-    if (one != glm::dvec3(0.0) && other != glm::dvec3(0.0) && glm::dot(one, other) < largestCosine)
-    {
-      creases.push_back({face, 8u << edge});
-    }
+    return one != glm::dvec3(0.0) && other != glm::dvec3(0.0) && glm::dot(one, other) < largestCosine;
   };
-  forEachEdge(geometry.getEdgeTable(), [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)
-              { second != noTriangle ? add(first, side) : void(); });
+  forEachEdge(geometry.getEdgeTable(),
+              [&](std::uint32_t first, std::uint32_t side, std::uint32_t second)
+              {
+                if (second != noTriangle && isSharp(first, side) &&
+                    !lieAlike(geometry, this->getSource(first), this->getSource(second)))
+                {
+                  creases.push_back({first, 8u << side});
+                }
+              });
   for (const TurnedPair& pair : this->turnedPairs)
   {
-    pair.side < pair.other ? add(pair.side / 3, pair.side % 3) : void();
+    if (pair.side < pair.other && isSharp(pair.side / 3, pair.side % 3))
+    {
+      creases.push_back({pair.side / 3, 8u << pair.side % 3});
+    }
   }
   gather(creases);
   return creases;

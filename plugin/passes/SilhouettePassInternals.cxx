@@ -55,10 +55,10 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
     this->Status = STATUS_NOT_SUPPORTED;
     this->Message = error;
   }
-  else
+  errors.insert(state.Effect.getErrors().begin(), state.Effect.getErrors().end());
+  if (this->Status == STATUS_OK && !errors.empty())
   {
-    errors.insert(state.Effect.getErrors().begin(), state.Effect.getErrors().end());
-    this->Status = errors.empty() ? STATUS_OK : STATUS_PARTIAL;
+    this->Status = STATUS_PARTIAL;
   }
   for (const std::string& line : errors)
   {

@@ -140,8 +140,11 @@ public:
 
   ///@{
   /**
-   * Both give the same picture, but for Faces where single precision cannot tell which way a triangle faces:
-   * lines may then have gaps. Faces leaves nothing to the CPU, and is the slower one. Default: Rectangles.
+   * Both give the same picture, but for Faces near where a triangle is seen from its edge: it knows its
+   * neighbours' normals in 16 bits a coordinate, which do not tell an eye closer than 1e-4 to their plane
+   * from one on its other side. Lines may then have gaps. Of Faces the CPU makes the mesh once, finds the
+   * triangles that can have lines, and lists those that may be large on the screen; which edges are lines is
+   * left to the GPU. It is the slower one. Default: Rectangles.
    */
   vtkSetClampMacro(Technique, int, TECHNIQUE_RECTANGLES, TECHNIQUE_FACES);
   vtkGetMacro(Technique, int);

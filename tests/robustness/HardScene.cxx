@@ -1,29 +1,15 @@
 #include "HardScene.h"
 
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkPoints.h>
+
+#include "SoupPolyData.h"
 
 namespace shadow::robustness
 {
 
 vtkActor* HardScene::addMesh(const TriangleSoup& soup)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const glm::dvec3& point : soup.points)
-  {
-    points->InsertNextPoint(point.x, point.y, point.z);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& corners : soup.triangles)
-  {
-    triangles->InsertNextCell({corners[0], corners[1], corners[2]});
-  }
-  vtkNew<vtkPolyData> polyData;
-  polyData->SetPoints(points);
-  polyData->SetPolys(triangles);
-  return this->addPolyData(polyData);
+  return this->addPolyData(test::toPolyData(soup));
 }
 
 vtkActor* HardScene::addCube(const glm::dvec3& footMC, double size)

@@ -85,17 +85,27 @@ TEST_P(MeshOutline, Creases_LinesAreTrue)
 
 TEST_P(MeshOutline, FaceOptions_SamePicture)
 {
-  this->scene.outlines->SetTechniqueToFaces();
-  for (const double zoom : {1.0, 3.0})
+  vtkSilhouettePass* outlines = this->scene.outlines;
+  outlines->SetTechniqueToFaces();
+  vtkIdType listed = 0;
+  for (const double zoom : {1.0, 3.0, 40.0})
   {
     this->scene.renderer->GetActiveCamera()->Zoom(zoom);
-    this->scene.outlines->SplitLargeFacesOff();
-    this->scene.outlines->LeaveOutFlatFacesOff();
+    outlines->SplitLargeFacesOff();
+    outlines->LeaveOutFlatFacesOff();
     const std::vector<unsigned char> plain = this->scene.renderLines(4.0);
-    this->scene.outlines->SplitLargeFacesOn();
-    this->scene.outlines->LeaveOutFlatFacesOn();
-    EXPECT_TRUE(this->scene.renderLines(4.0) == plain) << "zoom " << zoom;
+    const vtkIdType all = outlines->GetLineTriangles();
+    outlines->LeaveOutFlatFacesOn();
+    EXPECT_TRUE(this->scene.renderLines(4.0) == plain) << "left out, zoom " << zoom;
+    RecordProperty("left out", static_cast<int>(all - outlines->GetLineTriangles()));
+    outlines->LeaveOutFlatFacesOff();
+    outlines->SplitLargeFacesOn();
+    EXPECT_TRUE(this->scene.renderLines(4.0) == plain) << "split, zoom " << zoom;
+    listed += outlines->GetLineTriangles() - all;
+    outlines->LeaveOutFlatFacesOn();
+    EXPECT_TRUE(this->scene.renderLines(4.0) == plain) << "both, zoom " << zoom;
   }
+  EXPECT_GT(listed, 0) << "no face is ever so large that it may be split";
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MeshOutline,

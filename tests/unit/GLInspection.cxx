@@ -113,6 +113,20 @@ void expectGLStateKept(vtkRenderer* renderer, vtkRenderPass* pass, const std::st
   }
 }
 
+std::size_t countFragments(vtkRenderWindow* window)
+{
+  window->MakeCurrent();
+  GLuint query = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  window->Render();
+  glEndQuery(GL_SAMPLES_PASSED);
+  GLuint fragments = 0;
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &fragments);
+  glDeleteQueries(1, &query);
+  return fragments;
+}
+
 std::map<std::string, int> countGLObjects(vtkRenderWindow* window)
 {
   window->MakeCurrent();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ GLStateValues readGLState();
 /// lights.
 /// @param where  for messages
 void expectGLStateKept(vtkRenderer* renderer, vtkRenderPass* pass, const std::string& where);
+
+/// Renders. @return fragments that pass all tests and are not discarded, of all that is drawn
+std::size_t countFragments(vtkRenderWindow* window);
 
 /// Names in use in the window's context, by kind.
 std::map<std::string, int> countGLObjects(vtkRenderWindow* window);

@@ -3,9 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
 
 #include "OutlineError.h"
 
@@ -16,25 +13,6 @@ using truth::compareOutline;
 using truth::OutlineError;
 using truth::OutlineOptions;
 using truth::OutlineTruth;
-
-vtkSmartPointer<vtkPolyData> toPolyData(const TriangleSoup& soup)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const glm::dvec3& point : soup.points)
-  {
-    points->InsertNextPoint(point.x, point.y, point.z);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& corners : soup.triangles)
-  {
-    triangles->InsertNextCell({corners[0], corners[1], corners[2]});
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(triangles);
-  return data;
-}
 
 void expectRight(truth::OutlineScene& scene, double leastRight)
 {

@@ -2,16 +2,12 @@
 
 #include <glm/glm.hpp>
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-
 #include "OutlineScene.h"
+#include "SoupPolyData.h"
 #include "TestMeshes.h"
 
 namespace shadow::test
 {
-
-vtkSmartPointer<vtkPolyData> toPolyData(const TriangleSoup& soup);
 
 /// Both techniques, at widths from 1 to 32, against the truth: no spikes, and nearly everything right.
 void expectRight(truth::OutlineScene& scene, double leastRight = 0.99);

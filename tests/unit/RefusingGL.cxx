@@ -18,6 +18,14 @@ GLenum GLAPIENTRY refuseFramebuffer(GLenum)
   return GL_FRAMEBUFFER_UNSUPPORTED;
 }
 
+decltype(glGetShaderiv) askShader = nullptr;
+
+void GLAPIENTRY refuseShader(GLuint shader, GLenum name, GLint* value)
+{
+  askShader(shader, name, value);
+  *value = name == GL_COMPILE_STATUS ? GL_FALSE : *value;
+}
+
 } // namespace
 
 // Stands before the GL's own, for the libraries as well.
@@ -53,6 +61,17 @@ FramebufferRefusal::FramebufferRefusal()
 FramebufferRefusal::~FramebufferRefusal()
 {
   glCheckFramebufferStatus = checkFramebuffer;
+}
+
+ShaderRefusal::ShaderRefusal()
+{
+  askShader = glGetShaderiv;
+  glGetShaderiv = &refuseShader;
+}
+
+ShaderRefusal::~ShaderRefusal()
+{
+  glGetShaderiv = askShader;
 }
 
 } // namespace shadow::test

@@ -24,4 +24,15 @@ public:
   FramebufferRefusal& operator=(const FramebufferRefusal&) = delete;
 };
 
+/// While it lives, no shader that is new compiles.
+/// @pre VTK has loaded the GL's functions
+class ShaderRefusal
+{
+public:
+  ShaderRefusal();
+  ~ShaderRefusal();
+  ShaderRefusal(const ShaderRefusal&) = delete;
+  ShaderRefusal& operator=(const ShaderRefusal&) = delete;
+};
+
 } // namespace shadow::test

@@ -93,6 +93,29 @@ TriangleSoup makeTorus(double majorRadius, double minorRadius, std::uint32_t aro
   return soup;
 }
 
+TriangleSoup makeFlatSquare(std::uint32_t divisions)
+{
+  TriangleSoup soup;
+  const std::uint32_t columns = divisions + 1;
+  const double step = 2.0 / divisions;
+  for (std::uint32_t y = 0; y < columns; ++y)
+  {
+    for (std::uint32_t x = 0; x < columns; ++x)
+    {
+      soup.points.emplace_back(step * x - 1.0, step * y - 1.0, 0.0);
+    }
+  }
+  for (std::uint32_t y = 0; y < divisions; ++y)
+  {
+    for (std::uint32_t x = 0; x < divisions; ++x)
+    {
+      const std::uint32_t first = y * columns + x;
+      addQuad(soup, first, first + 1, first + columns + 1, first + columns);
+    }
+  }
+  return soup;
+}
+
 TriangleSoup makeOpenCylinder(std::uint32_t slices)
 {
   TriangleSoup soup;

@@ -23,6 +23,10 @@ TriangleSoup makeSphere(double radius, std::uint32_t slices, std::uint32_t stack
 /// Closed, around the z axis, 2 * around * across triangles, normals outwards.
 TriangleSoup makeTorus(double majorRadius, double minorRadius, std::uint32_t around, std::uint32_t across);
 
+/// A square from -1 to 1 at height 0, seen from above, of 2 * divisions * divisions triangles. Point
+/// (divisions + 1) * y + x is the one in column x of row y.
+TriangleSoup makeFlatSquare(std::uint32_t divisions);
+
 /// A strip bent into a ring of two borders, without lids.
 TriangleSoup makeOpenCylinder(std::uint32_t slices);
 

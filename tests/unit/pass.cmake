@@ -41,14 +41,16 @@ if(VTKSHADOW_HEADLESS)
   add_executable(test_outline_pass
     OutlineCase.cxx
     RefusingGL.cxx
+    test_large_faces.cxx
     test_outline_cases.cxx
     test_outline_faces.cxx
     test_outline_pass.cxx
     test_outline_refusals.cxx
     test_outline_state.cxx
-    test_outline_windows.cxx)
+    test_outline_windows.cxx
+    test_outline_without_area.cxx)
   target_link_libraries(test_outline_pass PRIVATE
-    shadow_outline_scene shadow_ball_scene shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
+    shadow_outline_scene shadow_ball_scene shadow_effect shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
     ${CMAKE_DL_LIBS})
   vtk_module_autoinit(TARGETS test_outline_pass MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
   gtest_discover_tests(test_outline_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)

@@ -3,15 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -20,6 +17,7 @@
 #include "DeformedMesh.h"
 #include "OutlineBall.h"
 #include "SilhouetteMethods.h"
+#include "SoupPolyData.h"
 #include "UploadCounter.h"
 
 using namespace shadow;
@@ -30,19 +28,9 @@ namespace
 
 void show(vtkPolyData* polyData, const TriangleSoup& soup)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const glm::dvec3& point : soup.points)
-  {
-    points->InsertNextPoint(&point.x);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const std::array<std::uint32_t, 3>& corners : soup.triangles)
-  {
-    triangles->InsertNextCell({corners[0], corners[1], corners[2]});
-  }
-  polyData->SetPoints(points);
-  polyData->SetPolys(triangles);
+  const vtkSmartPointer<vtkPolyData> shown = toPolyData(soup);
+  polyData->SetPoints(shown->GetPoints());
+  polyData->SetPolys(shown->GetPolys());
 }
 
 /// The ball of a BallScene is a mesh that changes.
@@ -143,6 +131,8 @@ struct Step
   TriangleSoup soup;
 };
 
+constexpr const char* grown = "a cube that has grown until its faces are large on the screen";
+
 /// The mesh deforms, comes back, and becomes others that look much the same.
 std::vector<Step> makeSteps()
 {
@@ -177,6 +167,9 @@ std::vector<Step> makeSteps()
   book = moved(book, [](const glm::dvec3& p) { return 0.4 * p; });
   steps.push_back({"non-manifold", book});
   steps.push_back({"non-manifold, bulged", moved(book, bulge(0.3))});
+  const TriangleSoup cube = makeCube({0.0, 0.0, 0.0}, 2.0);
+  steps.push_back({"a cube with short edges", moved(cube, [](const glm::dvec3& p) { return 0.3 * p; })});
+  steps.push_back({grown, cube});
   return steps;
 }
 
@@ -239,13 +232,45 @@ TEST(DeformingMesh, LinesAreThoseOfANewPass_ByBothTechniques)
       SCOPED_TRACE(step.name);
       show(scene.polyData, step.soup);
       const Pixels lines = renderLines(kept);
+      const vtkIdType triangles = kept->GetLineTriangles();
       vtkNew<vtkSilhouettePass> fresh;
       fresh->SetTechnique(technique);
       EXPECT_EQ(countDifferent(lines, renderLines(fresh)), 0u);
       EXPECT_GT(countValue(lines, 255), fewestLinePixels / 2);
+      const bool listsLarge = technique == vtkSilhouettePass::TECHNIQUE_FACES && step.name == grown;
+      EXPECT_TRUE(!listsLarge || triangles > static_cast<vtkIdType>(step.soup.triangles.size()) + 2)
+          << "none is large";
       fresh->ReleaseGraphicsResources(scene.window);
     }
   }
+}
+
+TEST(DeformingMesh, MemoryOfOutlinesIsThatOfANewPass)
+{
+  const TriangleSoup soup = makeTestTorus();
+  DeformingScene scene(soup);
+  const auto renderFacesThenRectangles = [&](vtkSilhouettePass* by, bool moves)
+  {
+    scene.renderer->SetPass(by);
+    by->SetTechniqueToFaces();
+    show(scene.polyData, moves ? moved(soup, bulge(0.2)) : soup);
+    scene.window->Render();
+    by->SetTechniqueToRectangles();
+    if (moves)
+    {
+      // The normals are out of date, but stay where they are.
+      show(scene.polyData, soup);
+    }
+    scene.window->Render();
+    return by->GetMemorySize();
+  };
+  vtkNew<vtkSilhouettePass> still;
+  vtkNew<vtkSilhouettePass> moving;
+  const vtkIdType expected = renderFacesThenRectangles(still, false);
+  still->ReleaseGraphicsResources(scene.window);
+  const auto normals = static_cast<vtkIdType>(12 * soup.triangles.size());
+  EXPECT_GT(renderFacesThenRectangles(moving, true), expected - normals / 2);
+  moving->ReleaseGraphicsResources(scene.window);
 }
 
 TEST(DeformingMesh, AnotherDataSetAtEachTime_OnlyPositionsAreUploaded)

@@ -113,3 +113,39 @@ TEST(OutlineRefusal, NoTarget_SceneWithoutLines_BadMeshesAreToldAllTheSame)
   EXPECT_EQ(scene.renderLines(), all);
   EXPECT_EQ(scene.outlines->GetStatus(), vtkSilhouettePass::STATUS_PARTIAL);
 }
+
+TEST(OutlineRefusal, StageThatFailsAfterAMesh_BothAreTold)
+{
+  OutlineBall scene;
+  const auto messages = MessageCounter::observe(scene.outlines);
+  scene.renderer->SetPass(nullptr);
+  scene.window->Render(); // VTK has its own shaders
+  scene.renderer->SetPass(scene.outlines);
+  const int verbosity = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  {
+    const TexelLimit limit(12);
+    const ShaderRefusal refusal;
+    scene.window->Render();
+  }
+  vtkObject::SetGlobalWarningDisplay(verbosity);
+  EXPECT_EQ(scene.outlines->GetStatus(), vtkSilhouettePass::STATUS_NOT_SUPPORTED);
+  EXPECT_TRUE(says(scene.outlines, "a shader of the outlines does not compile"));
+  EXPECT_TRUE(says(scene.outlines, "more lines than the GL can look up"));
+}
+
+TEST(OutlineRefusal, MeshLargerThanTheGLLooksUp_ItsNormalsAreNotUploaded)
+{
+  OutlineBall scene;
+  scene.outlines->SetTechniqueToFaces();
+  scene.ball->SetThetaResolution(48);
+  scene.ball->SetPhiResolution(37);
+  vtkIdType refused = 0;
+  {
+    const TexelLimit limit(1000);
+    scene.renderLines();
+    refused = scene.outlines->GetMemorySize();
+  }
+  scene.renderLines();
+  EXPECT_GE(scene.outlines->GetMemorySize(), refused + 12 * 2 * 48 * 35);
+}

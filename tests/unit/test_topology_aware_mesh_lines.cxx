@@ -235,6 +235,28 @@ TEST(TopologyAwareMesh, FaceWithoutArea_DrawsNoLineAcrossAPlane)
   EXPECT_TRUE(tam.findCreases(geometry, 1.0).empty());
 }
 
+TEST(TopologyAwareMesh, Creases_OfAFlatPart_NoneAtAnyAngle)
+{
+  // Exactly in a plane, with normals that single precision rounds.
+  for (const glm::dvec2& slope : {glm::dvec2(1.0, 1.0), glm::dvec2(1.0, 2.0), glm::dvec2(0.5, -0.25)})
+  {
+    TriangleSoup soup = makeFlatSquare(8);
+    for (glm::dvec3& point : soup.points)
+    {
+      point.z = slope.x * point.x + slope.y * point.y;
+    }
+    const SEDGeometry geometry = build(soup);
+    const TopologyAwareMesh tam(geometry);
+    for (const double degrees : {0.0, 1e-9, 1e-3})
+    {
+      EXPECT_TRUE(tam.findCreases(geometry, degrees).empty()) << degrees;
+    }
+    soup.points[3 * 9 + 3].z += 0.25;
+    const SEDGeometry bent = build(soup);
+    EXPECT_EQ(toSet(bent, TopologyAwareMesh(bent).findCreases(bent, 0.0)).size(), 12u) << "six and their rim";
+  }
+}
+
 TEST(TopologyAwareMesh, Creases_OfACube_AreItsTwelveEdges)
 {
   const SEDGeometry geometry = build(makeCube());
