@@ -222,7 +222,10 @@ void ClusterTree::visitClusters(std::size_t group, Walk& walk, std::vector<Quart
     const unsigned int open = ~(sides.towards | sides.away) & ((1u << existing) - 1);
     if (open != 0)
     {
-      mixed.push_back({static_cast<std::uint32_t>(word), open});
+      // Number by number: what was put together in memory would have to wait for its parts.
+      Quarters& quarters = mixed.emplace_back();
+      quarters.word = static_cast<std::uint32_t>(word);
+      quarters.bits = open;
     }
     sides.towards >>= quartersOfWord;
     sides.away >>= quartersOfWord;

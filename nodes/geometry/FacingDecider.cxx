@@ -51,7 +51,10 @@ void FacingDecider::compare(std::size_t word, unsigned int quarters, LightFacing
   this->kernel.compareQuarters(this->geometry.getPlaneBlocks()[word], quarters, this->lightInUnits, towards,
                                away);
   // What is not in these quarters has one of its bits, or is beyond the end.
-  this->decideOpen(word, ~(towards | away), facing, doubtful);
+  if (const std::uint64_t open = ~(towards | away); open != 0)
+  {
+    this->decideOpen(word, open, facing, doubtful);
+  }
 }
 
 /// Decides triangles of a word that have neither bit, by a finer comparison of their planes.

@@ -150,10 +150,14 @@ void EdgeScan::prefetchSides(const DifferingEdge* begin, const DifferingEdge* en
 void EdgeScan::addSides(const DifferingEdge* begin, const DifferingEdge* end,
                         std::vector<SilhouetteEdge>& silhouette) const
 {
+  // Where every triangle faces the light or looks away from it, those of an edge that differ do the opposite.
+  const int step = this->casting == Casting::LightFacing ? 1 : 2;
   for (const DifferingEdge* edge = begin; edge != end; ++edge)
   {
-    addSide(this->geometry, edge->first, edge->side, this->getSign(edge->first) - this->getSign(edge->second),
-            silhouette);
+    const int forwards = this->facing.towards.test(edge->first) ? step : -step;
+    const int runs =
+        this->away == nullptr ? forwards : this->getSign(edge->first) - this->getSign(edge->second);
+    addSide(this->geometry, edge->first, edge->side, runs, silhouette);
   }
 }
 
