@@ -6,9 +6,11 @@
 
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
+#include <vtkImageData.h>
 #include <vtkPlaneSource.h>
 #include <vtkProperty.h>
 #include <vtkRenderStepsPass.h>
+#include <vtkTexture.h>
 
 namespace shadow::test
 {
@@ -101,6 +103,20 @@ double BallScene::greyAt(const glm::dvec3& pointWC)
 {
   const std::array<int, 3> colour = this->colourAt(pointWC);
   return (colour[0] + colour[1] + colour[2]) / 3.0;
+}
+
+vtkSmartPointer<vtkTexture> makeTextureOfHoles()
+{
+  constexpr int size = 16;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size, size, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* texels = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill_n(texels, 4 * size * size, static_cast<unsigned char>(0));
+  std::fill_n(texels, 4, static_cast<unsigned char>(255));
+  const auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  return texture;
 }
 
 std::size_t countDifferent(const Pixels& a, const Pixels& b, int tolerance)

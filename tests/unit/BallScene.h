@@ -14,6 +14,7 @@
 #include "ShadowScene.h"
 
 class vtkRenderPass;
+class vtkTexture;
 
 namespace shadow::test
 {
@@ -62,6 +63,9 @@ public:
   static inline const glm::dvec3 inShadow{0.5, 0.0, 0.0};
   static inline const glm::dvec3 lit{-1.2, 0.0, 0.8};
 };
+
+/// Without alpha but for one texel in a corner, so that VTK takes what has it for opaque.
+vtkSmartPointer<vtkTexture> makeTextureOfHoles();
 
 /// How many values differ by more than @p tolerance. All of them when the sizes differ.
 std::size_t countDifferent(const Pixels& a, const Pixels& b, int tolerance = 0);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -246,14 +245,7 @@ TEST(OutlineWindow, TextureWithHoles_HidesLinesAsWholeFaces)
 {
   OutlineBall scene;
   const std::size_t lines = countValue(scene.renderLines(), 255);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(16, 16, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  auto* texels = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill_n(texels, 4 * 16 * 16, static_cast<unsigned char>(0));
-  std::fill_n(texels, 4, static_cast<unsigned char>(255));
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
+  const auto texture = makeTextureOfHoles();
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-9.0, -9.0, 2.5);
   plane->SetPoint1(9.0, -9.0, 2.5);

@@ -1,7 +1,5 @@
 // Whatever way a surface is shaded: in shadow it has its ambient part only, elsewhere it is as VTK draws it.
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include <vtkCellData.h>
@@ -126,14 +124,7 @@ TEST(PassMaterial, Textured_Shadowed)
 TEST(PassMaterial, TextureWithHoles_CastsAsWholeFaces)
 {
   BallScene scene;
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(16, 16, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  auto* texels = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill_n(texels, 4 * 16 * 16, static_cast<unsigned char>(0));
-  std::fill_n(texels, 4, static_cast<unsigned char>(255));
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
+  const auto texture = makeTextureOfHoles();
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-0.4, 1.0, 0.4);
   plane->SetPoint1(0.4, 1.0, 0.4);
