@@ -58,19 +58,14 @@ Edge placeEdge(const VETRange& range, Edge edge)
   return edge;
 }
 
-/// @return  whether any corner changed its place
-bool gatherCorners(VETCollection& collection, const VETRange& range)
+void gatherCorners(VETCollection& collection, const VETRange& range)
 {
-  bool changed = false;
   for (std::size_t triangle = 0; triangle < range.countTriangles(); ++triangle)
   {
     const std::size_t place = range.firstTriangle + triangle;
-    const Corners corners = cornersOf(range, triangle);
-    changed = changed || corners != collection.triangles[place];
-    collection.triangles[place] = corners;
+    collection.triangles[place] = cornersOf(range, triangle);
     setBit(collection.reversed, place, range.geometry->getReversed().test(triangle) != range.mirrored);
   }
-  return changed;
 }
 
 void gatherPositions(VETCollection& collection, const VETRange& range)
@@ -179,7 +174,7 @@ VETCollector::Change VETCollector::gatherEverything()
     }
     gatherCorners(this->collection, range);
     gatherPositions(this->collection, range);
-    range.positionRevision = range.orderRevision = this->collection.topologyRevision;
+    range.positionRevision = this->collection.topologyRevision;
   }
   return Change::Everything;
 }
@@ -205,8 +200,10 @@ VETCollector::Change VETCollector::gatherMoved()
     range.modelToWorld = now.modelToWorld;
     if (moved)
     {
-      range.orderRevision =
-          rebuilt && gatherCorners(this->collection, range) ? revision : range.orderRevision;
+      if (rebuilt)
+      {
+        gatherCorners(this->collection, range);
+      }
       gatherPositions(this->collection, range);
       range.positionRevision = revision;
       change = Change::Positions;

@@ -22,9 +22,8 @@ public:
   enum class Change
   {
     Nothing,
-    Positions, ///< vertices of some ranges moved: their positionRevision rose, and orderRevision where
-               ///< corners changed places. A geometry counts as moved, whatever node holds it, where
-               ///< isSameMeshMoved()
+    Positions, ///< vertices of some ranges moved: their positionRevision rose. A geometry counts as moved,
+               ///< whatever node holds it, where isSameMeshMoved(); corners may then have changed places
     Everything ///< topologyRevision and all revisions of ranges rose
   };
 

@@ -30,7 +30,6 @@ struct VETRange
   std::uint32_t firstTriangle = 0;
   std::uint32_t firstEdge = 0;
   std::uint64_t positionRevision = 0; ///< larger whenever positions changed, corner order with them
-  std::uint64_t orderRevision = 0;    ///< larger whenever the order of any triangle's corners changed
 
   std::size_t countVertices() const { return this->geometry->getPositions().size(); }
   std::size_t countTriangles() const { return this->geometry->getTriangles().size(); }

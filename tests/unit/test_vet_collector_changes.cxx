@@ -52,7 +52,6 @@ TEST(VETCollector, UnchangedThenMovedThenMirrored_TellsWhat)
   EXPECT_EQ(collection.topologyRevision, before);
   EXPECT_EQ(collection.ranges[0].positionRevision, before) << "has not moved";
   EXPECT_GT(collection.ranges[1].positionRevision, before);
-  EXPECT_EQ(collection.ranges[1].orderRevision, before);
   expectLaws(collection, 1e-13);
   second->matrix = glm::scale(second->matrix, glm::dvec3(1.0, 1.0, -1.0));
   EXPECT_EQ(collector.collect(root), Change::Everything) << "edges and triangles turn";
@@ -101,7 +100,6 @@ TEST(VETCollector, DeformedMeshBuiltAnew_OnlyPositionsAndOrder)
   for (int frame = 1; frame <= 20; ++frame)
   {
     const std::vector<std::array<std::uint32_t, 3>> before = collection.triangles;
-    const std::uint64_t order = collection.ranges[1].orderRevision;
     holder->clearChildren();
     SEDGeometryOptions options;
     options.previous = geometry.get();
@@ -110,7 +108,6 @@ TEST(VETCollector, DeformedMeshBuiltAnew_OnlyPositionsAndOrder)
     ASSERT_EQ(collector.collect(root), Change::Positions) << "frame " << frame;
     EXPECT_EQ(collection.topologyRevision, topology);
     EXPECT_EQ(collection.ranges[0].positionRevision, topology);
-    EXPECT_EQ(collection.ranges[1].orderRevision != order, before != collection.triangles);
     reordered += before != collection.triangles ? 1 : 0;
     expectLaws(collection, 1e-13);
     expectEdgesRunAsTriangles(collection);
