@@ -1,7 +1,5 @@
 #include "GPUSilhouette.h"
 
-#include <algorithm>
-
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>

@@ -29,15 +29,8 @@ bool isIdle(const SEDGeometry& geometry, const TopologyAwareMesh& mesh, std::siz
 
 double findLongestSquare(const SEDGeometry& geometry, std::size_t face)
 {
-  double longest = 0.0;
-  const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[face];
-  for (std::size_t edge = 0; edge < 3; ++edge)
-  {
-    const glm::dvec3 along = glm::dvec3(geometry.getPositions()[corners[(edge + 1) % 3]]) -
-                             glm::dvec3(geometry.getPositions()[corners[edge]]);
-    longest = std::max(longest, glm::dot(along, along));
-  }
-  return longest;
+  return std::max({geometry.getSquaredLength(face, 0), geometry.getSquaredLength(face, 1),
+                   geometry.getSquaredLength(face, 2)});
 }
 
 } // namespace

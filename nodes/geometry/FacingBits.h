@@ -23,6 +23,12 @@ inline std::size_t findLowestBit(std::uint64_t word)
 #endif
 }
 
+/// A word of which so many of the lowest bits are set; all of them from 64 on.
+inline std::uint64_t lowestBits(std::size_t count)
+{
+  return count < 64 ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0};
+}
+
 /// One bit per triangle, 64 to a word. Bit t lives in word t / 64.
 ///
 /// Every step that needs to know how a triangle faces a light reads it here, so no two steps can disagree.
@@ -53,7 +59,7 @@ public:
   {
     if (this->count % 64 != 0)
     {
-      this->words.back() &= (std::uint64_t{1} << this->count % 64) - 1;
+      this->words.back() &= lowestBits(this->count % 64);
     }
   }
 

@@ -61,11 +61,7 @@ void FacingDecider::compare(std::size_t word, unsigned int quarters, LightFacing
 void FacingDecider::decideOpen(std::size_t word, std::uint64_t open, LightFacing& facing,
                                std::vector<std::uint32_t>& doubtful) const
 {
-  const std::size_t triangles = this->geometry.getTriangles().size();
-  if (triangles - 64 * word < 64)
-  {
-    open &= (std::uint64_t{1} << (triangles - 64 * word)) - 1;
-  }
+  open &= lowestBits(this->geometry.getTriangles().size() - 64 * word);
   for (; open != 0; open &= open - 1)
   {
     const std::size_t bit = findLowestBit(open);

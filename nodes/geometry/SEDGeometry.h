@@ -120,6 +120,14 @@ public:
             this->triangles[triangle][backwards ? side : next]};
   }
 
+  /// Of a side, model space.
+  double getSquaredLength(std::size_t triangle, std::uint32_t side) const
+  {
+    const auto [from, to] = this->getSide(triangle, side);
+    const glm::dvec3 along = glm::dvec3(this->positions[to]) - glm::dvec3(this->positions[from]);
+    return glm::dot(along, along);
+  }
+
   /// What the words of FacingBits have in common.
   const ClusterTree& getClusterTree() const { return this->clusterTree; }
 

@@ -28,12 +28,9 @@ using Ways = std::priority_queue<Way>;
 
 void addWays(const SEDGeometry& geometry, std::uint32_t face, Ways& ways)
 {
-  const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[face];
   for (std::uint32_t edge = 0; edge < 3; ++edge)
   {
-    const glm::dvec3 along = glm::dvec3(geometry.getPositions()[corners[(edge + 1) % 3]]) -
-                             glm::dvec3(geometry.getPositions()[corners[edge]]);
-    ways.push({glm::dot(along, along), face, edge});
+    ways.push({geometry.getSquaredLength(face, edge), face, edge});
   }
 }
 

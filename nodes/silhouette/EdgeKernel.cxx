@@ -104,12 +104,6 @@ DifferingEdge* compareOuterScalar(const Record& record, std::size_t word, const 
 
 #ifdef SHADOW_HAS_AVX2
 
-/// The lower bits of a word, so many; all of them when it has no more.
-std::uint64_t maskOf(std::size_t count)
-{
-  return count < 64 ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0};
-}
-
 /// For 32 codes: -1 where the bit of the triangle is 0.
 SHADOW_INLINE_AVX2 __m256i findClear(__m256i codes, __m256i bits)
 {
@@ -153,7 +147,7 @@ SHADOW_TARGET_AVX2 inline DifferingEdge* compareInnerAvx2(const Record& record, 
       differing |= compareInner32(record, begin + 32, towards[word], down) << 32;
     }
     // Written 64 at a time: how often such a loop runs, no processor can foresee.
-    found = writeInner(record, differing & maskOf(record.inner - begin), word, begin, found);
+    found = writeInner(record, differing & lowestBits(record.inner - begin), word, begin, found);
   }
   return found;
 }
@@ -198,7 +192,7 @@ SHADOW_TARGET_AVX2 inline DifferingEdge* compareOuterAvx2(const Record& record, 
       const int upper = _mm256_movemask_ps(_mm256_castsi256_ps(different));
       differing |= static_cast<std::uint64_t>(upper) << (edge - begin);
     }
-    found = writeOuter(record, differing & maskOf(record.outer - begin), word, begin, found);
+    found = writeOuter(record, differing & lowestBits(record.outer - begin), word, begin, found);
   }
   return found;
 }
