@@ -2,7 +2,7 @@
 #define vtkShadowCompat_h
 
 // Everything that differs between VTK 9.1 and 9.6, in one place. The GL function loader is in
-// nodes/drawable/OpenGL.h.
+// nodes/drawable/gl/OpenGL.h.
 
 #include <vtkVersionMacros.h>
 

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// adjacency.vert - corners for volume.geom. Drawn by nodes/drawable/AdjacentTriangles: vertex v is the geometry's vertex v.
+// adjacency.vert - corners for volume.geom. Drawn by nodes/drawable/silhouettes/AdjacentTriangles: vertex v is the geometry's vertex v.
 // out  gl_Position   vec4  near copy, bit for bit where surface.vert has it, so that light caps lie on their surfaces
 // out  farPosition   vec4  far copy in clip space
 // out  vertexMC      vec3  relative to the geometry's origin

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// back.frag - counts the pixels where a mesh shows its back. Drawn by nodes/drawable/ShadowTarget into an occlusion
+// back.frag - counts the pixels where a mesh shows its back. Drawn by nodes/drawable/surfaces/ShadowTarget into an occlusion
 // query.
 // unif shadowMask  usampler2D  of the pre-pass
 // unif backBit     int         bit that the pre-pass has cleared where it drew a back of the mesh

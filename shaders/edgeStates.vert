@@ -1,6 +1,6 @@
 //VTK::System::Dec
 // edgeStates.vert - the silhouette state of every edge of one geometry for all lights. Drawn by
-// nodes/drawable/VertexTexture through TexelPainter: each edge is a point, gl_VertexID its number.
+// nodes/drawable/silhouettes/VertexTexture through TexelPainter: each edge is a point, gl_VertexID its number.
 // unif closedLights  uint   bits of the lights of Casting::LightFacing
 // unif layerSize     ivec2  width and height of a layer of the texture
 // out  texel         uvec4  xyz see silhouetteBits()

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// extrude.vert - pre-pass and volume stage. Drawn by nodes/drawable/SEDGeometryDrawable and ShadowVolumeDrawable.
+// extrude.vert - pre-pass and volume stage. Drawn by nodes/drawable/surfaces/SEDGeometryDrawable and ShadowVolumeDrawable.
 // in   vertexMC       vec4   w = 1 near copy, w = 0 far copy of a vertex; relative to the geometry's origin
 // in   reachableBits  uvec2  pre-pass: of the triangle that this vertex is the last of; see prepass.frag
 #include "extrusion.glsl"

@@ -1,6 +1,6 @@
 #version 430
 // facing.comp - the facing of the triangles of one geometry, one invocation each. Run by
-// nodes/drawable/ComputeSilhouette.
+// nodes/drawable/silhouettes/ComputeSilhouette.
 // unif triangleCount  int
 // unif facingImage    uimage2DArray  texel t: see facingBitsOf()
 // unif imageLayer     ivec2          see texelArray.glsl

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// facing.frag - silhouette camera. Drawn by nodes/drawable/SilhouetteCamera.
+// facing.frag - silhouette camera. Drawn by nodes/drawable/silhouettes/SilhouetteCamera.
 // in   facing  uvec2  see facing.vert
 flat in uvec2 facing;
 out uvec2 texel;

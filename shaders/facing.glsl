@@ -1,5 +1,5 @@
 // facing.glsl - chunk: on which side of a triangle is a light? The one function that says so on the GPU.
-// The counterpart of nodes/geometry/LightFacing, in scene space (nodes/scene/SceneFrame).
+// The counterpart of nodes/geometry/facing/LightFacing, in scene space (nodes/scene/SceneFrame).
 //
 // Every number is the sum of two floats, 48 bits in all, so that nothing is lost but what double precision would
 // lose nearly as well. Exact steps need what GLSL calls precise: there from GLSL 4.00 or with ARB_gpu_shader5. A GL

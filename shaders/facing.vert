@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// facing.vert - silhouette camera. Drawn by nodes/drawable/SilhouetteCamera through TriangleDrawable: each triangle is
+// facing.vert - silhouette camera. Drawn by nodes/drawable/silhouettes/SilhouetteCamera through TriangleDrawable: each triangle is
 // a point that covers the triangle's texel of the layer that is drawn.
 // Here, not in facing.frag: a software rasteriser shades whole blocks of pixels around a point.
 // in   cornerAHigh .. cornerCLow  vec3  corners in scene space, each as the sum of two

@@ -1,4 +1,4 @@
-// geometryTexels.glsl - chunk: the tables of a SEDGeometry. Bound by nodes/drawable/GeometryTexels.
+// geometryTexels.glsl - chunk: the tables of a SEDGeometry. Bound by nodes/drawable/silhouettes/GeometryTexels.
 // unif positionTexels  sampler2DArray   vertex: position relative to the geometry's origin
 // unif triangleTexels  usampler2DArray  triangle: vertices in raster order; w = 1: oriented against it
 // unif edgeTexels      usampler2DArray  edge: from, to, triangle that runs so, triangle that runs back or noTriangle

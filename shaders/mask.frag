@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// mask.frag - mask stage. Drawn by nodes/drawable/ShadowTarget, combined by logical AND with what is there.
+// mask.frag - mask stage. Drawn by nodes/drawable/surfaces/ShadowTarget, combined by logical AND with what is there.
 // The stencil test lets pass where the count is not zero, or the shader looks at the count itself.
 // unif lightBit  int        bit of the light in the mask
 // unif counts    sampler2D  counts of faces; or sampler2DMS

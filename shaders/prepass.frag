@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// prepass.frag - pre-pass. Drawn by nodes/drawable/SEDGeometryDrawable.
+// prepass.frag - pre-pass. Drawn by nodes/drawable/surfaces/SEDGeometryDrawable.
 // Starts the shadow mask: a bit stays set where the visible side of the triangle faces the light.
 // in   sideBits  uvec2  of the triangle: x raster-front, y raster-back side; bit i: that side faces light i
 flat in uvec2 sideBits;

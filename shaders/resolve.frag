@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// resolve.frag - mask read-back with several samples. Drawn by nodes/drawable/ShadowTarget.
+// resolve.frag - mask read-back with several samples. Drawn by nodes/drawable/surfaces/ShadowTarget.
 // unif shadowMask  usampler2DMS
 // unif lightBit    int  bit of the light in the mask
 // unif samples     int  samples a pixel

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// screen.vert - one triangle over the whole viewport, made from the vertex number. Drawn by nodes/drawable/ShadowTarget.
+// screen.vert - one triangle over the whole viewport, made from the vertex number. Drawn by nodes/drawable/surfaces/ShadowTarget.
 // unif farDepth  float  depth in clip space
 uniform float farDepth;
 

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// sides.vert - sides of volumes, quads that have an area only on the silhouette. Drawn by nodes/drawable/EdgeQuads:
+// sides.vert - sides of volumes, quads that have an area only on the silhouette. Drawn by nodes/drawable/silhouettes/EdgeQuads:
 // gl_VertexID = 5 * quad + corner; corners 0 to, 1 from, 2 far from, 3 far to, 4 the apex of a fan that closes the far
 // end.
 // unif apexMC        vec3   whose far copy is the apex

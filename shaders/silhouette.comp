@@ -1,6 +1,6 @@
 #version 430
 // silhouette.comp - the edges on the silhouettes of all lights, without gaps, and how many there are. Run by
-// nodes/drawable/ComputeSilhouette, one invocation an edge.
+// nodes/drawable/silhouettes/ComputeSilhouette, one invocation an edge.
 // unif edgeCount     int
 // unif lights        uint           bits of the lights asked about; the light with n lower ones has list n
 // unif closedLights  uint           bits of the lights of Casting::LightFacing

@@ -1,9 +1,9 @@
 // silhouetteSource.glsl - chunk: where the sides of volumes take the silhouette from.
 // unif light            int   Light::index
-// def  SHADOW_EDGE_TEXTURE      from a texture of the state of every edge: written by nodes/drawable/VertexTexture
+// def  SHADOW_EDGE_TEXTURE      from a texture of the state of every edge: written by nodes/drawable/silhouettes/VertexTexture
 // unif edgeStateTexels  usampler2DArray  see edgeStates.vert
 // unif edgeStateLayer   ivec2            see texelArray.glsl
-// def  SHADOW_SILHOUETTE_LIST   from a list of the edges on it: written by nodes/drawable/ComputeSilhouette
+// def  SHADOW_SILHOUETTE_LIST   from a list of the edges on it: written by nodes/drawable/silhouettes/ComputeSilhouette
 // unif listTexels       usampler2DArray  see silhouette.comp
 // unif listLayer        ivec2
 // unif listBegin        int              place of the light's first entry

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 // surface.vert - pre-pass and caps of volumes where the facing is known to the GPU only. Drawn by
-// nodes/drawable/GPUSilhouette with the vertices of SEDGeometryDrawable: vertex t is the last of triangle t.
+// nodes/drawable/silhouettes/GPUSilhouette with the vertices of SEDGeometryDrawable: vertex t is the last of triangle t.
 // in   vertexMC  vec3  relative to the geometry's origin
 // unif triangleCount    int    vertices after these provoke nothing
 // pre-pass:

@@ -1,4 +1,4 @@
-// texelArray.glsl - chunk: where the texels of a nodes/drawable/TexelArray are.
+// texelArray.glsl - chunk: where the texels of a nodes/drawable/gl/TexelArray are.
 // Rows are filled from the left, layers from the bottom.
 // index  of a texel, 0 or more
 // size   width and height of a layer: TexelArray::getWidth(), getHeight()

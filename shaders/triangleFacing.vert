@@ -1,6 +1,6 @@
 //VTK::System::Dec
 // triangleFacing.vert - the facing of the triangles of one geometry, from its tables. Drawn by
-// nodes/drawable/VertexTexture through TexelPainter: each triangle is a point, gl_VertexID its number.
+// nodes/drawable/silhouettes/VertexTexture through TexelPainter: each triangle is a point, gl_VertexID its number.
 // unif layerSize  ivec2  width and height of a layer of the texture
 // out  texel      uvec4  see facingBitsOf()
 #include "facingSource.glsl"

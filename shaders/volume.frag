@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// volume.frag - volume stage. Drawn by nodes/drawable/ShadowVolumeDrawable and GPUSilhouette; see FaceCounter.
+// volume.frag - volume stage. Drawn by nodes/drawable/surfaces/ShadowVolumeDrawable and GPUSilhouette; see FaceCounter.
 // Only the stencil is written, or the count is added to a colour buffer.
 // unif faceWeights   vec2   x what a front face counts, y a back face
 // in   multiplicity  float  def SHADOW_MULTIPLICITY: times this

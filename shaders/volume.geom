@@ -1,6 +1,6 @@
 //VTK::System::Dec
 // volume.geom - silhouette, sides and caps of a volume from triangles with adjacency. Drawn by
-// nodes/drawable/GeometryShaderSilhouette through AdjacentTriangles, after adjacency.vert.
+// nodes/drawable/silhouettes/GeometryShaderSilhouette through AdjacentTriangles, after adjacency.vert.
 // Corners 0, 2 and 4 are a triangle as it is oriented. 1, 3 and 5 complete its neighbours across the edges from the corner
 // before to the corner after; a border has the corner before in place of a neighbour's.
 // Emits at most 24 vertices of 5 components, far below what every GL takes (256 and 1024).
@@ -10,7 +10,7 @@
 // unif sideBias         vec2  as depthBias in extrusion.glsl, for sides
 // def  SHADOW_CAPS            what follows is wanted:
 // unif lightCap         int   1: near copies of casting triangles
-// unif darkTriangles    int   1: far copies, see Extruder::addDarkTriangles() in nodes/geometry/ShadowVolume.cxx
+// unif darkTriangles    int   1: far copies, see Extruder::addDarkTriangles() in nodes/geometry/volumes/ShadowVolume.cxx
 // unif darkFan          int   1: a fan over the far ends of the sides
 // unif apexMC           vec3  whose far copy is the fan's apex
 // out  multiplicity     float see volume.frag

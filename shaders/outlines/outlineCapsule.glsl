@@ -1,7 +1,7 @@
 // outlineCapsule.glsl - chunk: what of a pixel the line of one edge covers.
 // unif halfWidth  float  of a line, pixels
 // Source: Valient, "Hardware Generated Object Silhouettes", section 3.2
-#include "outlineVisibility.glsl"
+#include "outlines/outlineVisibility.glsl"
 uniform float halfWidth;
 
 // A point of an edge, by its distance from the first end.

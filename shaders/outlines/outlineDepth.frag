@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// outlineDepth.frag - pass 1 of outlines. Drawn by nodes/drawable/SEDGeometryDrawable.
+// outlineDepth.frag - pass 1 of outlines. Drawn by nodes/drawable/surfaces/SEDGeometryDrawable.
 // Beside the depth its slope, by which pass 2 knows how deep the surface is between the centres of pixels.
 // out  slope  vec2  depth a pixel, to the right and up, relative to the depth: half floats hold it
 out vec2 slope;

@@ -3,7 +3,7 @@
 // maximum, so that of overlapping lines the nearest wins.
 // in   endsDC, endsDepth, outwards  see outlineEdge.vert
 // out  coverage                     see outlineCapsule.glsl
-#include "outlineCapsule.glsl"
+#include "outlines/outlineCapsule.glsl"
 flat in vec4 endsDC;
 flat in vec2 endsDepth;
 flat in vec2 outwards;

@@ -6,7 +6,7 @@
 // out  endsDC     vec4            pixels: from, to
 // out  endsDepth  vec2            window depth there
 // out  outwards   vec2            across the edge, away from the surface; zero where that is on both sides or not known
-#include "outlineFaces.glsl"
+#include "outlines/outlineFaces.glsl"
 uniform usamplerBuffer lines;
 uniform float lineReach;
 flat out vec4 endsDC;

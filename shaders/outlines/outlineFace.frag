@@ -5,7 +5,7 @@
 // in   endsDC, endsDepth, outwards  of each of them: see outlineFace.vert
 // out  coverage                     see outlineCapsule.glsl
 // Source: Valient, "Hardware Generated Object Silhouettes", section 3.2
-#include "outlineCapsule.glsl"
+#include "outlines/outlineCapsule.glsl"
 flat in int lineCount;
 flat in vec4 endsDC[3];
 flat in vec2 endsDepth[3];

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// outlineFace.vert - pass 2 of outlines, a whole topology-aware mesh. Drawn by nodes/drawable/SEDGeometryDrawable.
+// outlineFace.vert - pass 2 of outlines, a whole topology-aware mesh. Drawn by nodes/drawable/surfaces/SEDGeometryDrawable.
 // A face tells by the normals it stores which of its edges are lines, and is scaled on the screen about its incentre
 // until it covers them; a large one is drawn as thin triangles along them instead, where they cover less.
 // unif splits           int             0: gl_VertexID = 3 * face + corner; 1: 9 * face + 3 * edge + corner, draws those
@@ -14,7 +14,7 @@
 // out  lineCount                    int  edges that are lines
 // out  endsDC, endsDepth, outwards  of each of them: see outlineEdge.vert
 // Source: Valient, "Hardware Generated Object Silhouettes", section 3.1
-#include "outlineFaces.glsl"
+#include "outlines/outlineFaces.glsl"
 uniform int splits;
 uniform float splitFrom;
 uniform usamplerBuffer normalTexels;

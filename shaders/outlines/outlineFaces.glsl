@@ -1,5 +1,5 @@
 // outlineFaces.glsl - chunk: the faces of a topology-aware mesh on the screen of outlines. Bound by
-// nodes/drawable/SEDGeometryDrawable.
+// nodes/drawable/surfaces/SEDGeometryDrawable.
 // unif positionTexels  samplerBuffer   three texels a vertex, relative to the geometry's origin
 // unif cornerTexels    usamplerBuffer  three texels a face: vertices in raster order
 // unif clipFromMC      mat4            see shadowClipFromWC()

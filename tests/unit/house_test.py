@@ -24,7 +24,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
 def includes_of(room):
-    for source in sorted((PROJECT / room).glob("*")):
+    for source in sorted((PROJECT / room).rglob("*")):
         if source.suffix in (".h", ".cxx"):
             for kind, name in INCLUDE.findall(source.read_text()):
                 yield source.name, kind, name
@@ -37,7 +37,7 @@ class House(unittest.TestCase):
         self.assertLessEqual(names, TOP_LEVEL)
 
     def test_rooms_include_only_what_they_may(self):
-        room_of = {header.name: room for room in ROOMS for header in (PROJECT / room).glob("*.h")}
+        room_of = {header.name: room for room in ROOMS for header in (PROJECT / room).rglob("*.h")}
         checked = 0
         for room, allowed in ROOMS.items():
             for source, kind, name in includes_of(room):
@@ -53,7 +53,7 @@ class House(unittest.TestCase):
 
     def test_shaders_are_files(self):
         for room in [*ROOMS, "plugin/passes", "plugin/headless"]:
-            for source in (PROJECT / room).glob("*.cxx"):
+            for source in (PROJECT / room).rglob("*.cxx"):
                 self.assertNotRegex(source.read_text(), r"gl_Position|#version \d", str(source))
 
 

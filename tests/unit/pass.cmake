@@ -1,35 +1,35 @@
 # Tests of vtkShadowVolumePass and of the scene graph below it. Included by CMakeLists.txt.
 add_executable(test_scene_graph
-  CollectionLaws.cxx
-  test_scene_frame.cxx
-  test_scene_graph.cxx
-  test_vet_collector.cxx
-  test_vet_collector_changes.cxx)
+  scene/CollectionLaws.cxx
+  scene/test_scene_frame.cxx
+  scene/test_scene_graph.cxx
+  scene/test_vet_collector.cxx
+  scene/test_vet_collector_changes.cxx)
 target_link_libraries(test_scene_graph PRIVATE
   shadow_visitors shadow_test_meshes GTest::gtest_main shadow_warnings)
 gtest_discover_tests(test_scene_graph DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
 if(VTKSHADOW_HEADLESS)
   # A scene in a headless window that the image tests use as well.
-  add_library(shadow_ball_scene STATIC BallScene.cxx GLInspection.cxx)
-  target_include_directories(shadow_ball_scene PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+  add_library(shadow_ball_scene STATIC pass/BallScene.cxx pass/GLInspection.cxx)
+  target_include_directories(shadow_ball_scene PUBLIC pass)
   target_link_libraries(shadow_ball_scene
     PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings GTest::gtest)
 
   add_executable(test_pass
-    VolumeCounter.cxx
-    test_gpu_silhouette.cxx
-    test_hidden_backs.cxx
-    test_pass_changes.cxx
-    test_pass_growth.cxx
-    test_pass_lights.cxx
-    test_pass_mappers.cxx
-    test_pass_materials.cxx
-    test_pass_reports.cxx
-    test_pass_state.cxx
-    test_pass_totals.cxx
-    test_pass_uses.cxx
-    test_pass_windows.cxx)
+    pass/VolumeCounter.cxx
+    pass/test_gpu_silhouette.cxx
+    pass/test_hidden_backs.cxx
+    pass/test_pass_changes.cxx
+    pass/test_pass_growth.cxx
+    pass/test_pass_lights.cxx
+    pass/test_pass_mappers.cxx
+    pass/test_pass_materials.cxx
+    pass/test_pass_reports.cxx
+    pass/test_pass_state.cxx
+    pass/test_pass_totals.cxx
+    pass/test_pass_uses.cxx
+    pass/test_pass_windows.cxx)
   target_link_libraries(test_pass PRIVATE
     shadow_ball_scene shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
     VTK::CommonExecutionModel VTK::FiltersCore VTK::FiltersSources VTK::ImagingCore VTK::InteractionStyle
@@ -39,16 +39,16 @@ if(VTKSHADOW_HEADLESS)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
   add_executable(test_outline_pass
-    OutlineCase.cxx
-    RefusingGL.cxx
-    test_large_faces.cxx
-    test_outline_cases.cxx
-    test_outline_faces.cxx
-    test_outline_pass.cxx
-    test_outline_refusals.cxx
-    test_outline_state.cxx
-    test_outline_windows.cxx
-    test_outline_without_area.cxx)
+    outlines/OutlineCase.cxx
+    outlines/RefusingGL.cxx
+    outlines/test_large_faces.cxx
+    outlines/test_outline_cases.cxx
+    outlines/test_outline_faces.cxx
+    outlines/test_outline_pass.cxx
+    outlines/test_outline_refusals.cxx
+    outlines/test_outline_state.cxx
+    outlines/test_outline_windows.cxx
+    outlines/test_outline_without_area.cxx)
   target_link_libraries(test_outline_pass PRIVATE
     shadow_outline_scene shadow_ball_scene shadow_effect shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
     ${CMAKE_DL_LIBS})
@@ -56,15 +56,15 @@ if(VTKSHADOW_HEADLESS)
   gtest_discover_tests(test_outline_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
   # The groundwork of the GPU methods, without a pass. The benchmarks use the scene as well.
-  add_library(shadow_gpu_scene STATIC GpuScene.cxx)
-  target_include_directories(shadow_gpu_scene PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+  add_library(shadow_gpu_scene STATIC gpu/GpuScene.cxx)
+  target_include_directories(shadow_gpu_scene PUBLIC gpu)
   target_link_libraries(shadow_gpu_scene
     PUBLIC shadow_test_scene shadow_drawable shadow_visitors shadow_test_meshes PRIVATE shadow_warnings)
 
   add_executable(test_gpu
-    test_silhouette_camera.cxx
-    test_silhouette_camera_precision.cxx
-    test_texel_array.cxx)
+    gpu/test_silhouette_camera.cxx
+    gpu/test_silhouette_camera_precision.cxx
+    gpu/test_texel_array.cxx)
   target_link_libraries(test_gpu PRIVATE
     shadow_gpu_scene shadow_ball_scene GTest::gtest_main shadow_warnings VTK::FiltersCore VTK::IOGeometry)
   vtk_module_autoinit(TARGETS test_gpu MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
@@ -75,7 +75,7 @@ if(VTKSHADOW_HEADLESS)
   add_test(NAME SilhouetteCamera.OnGL32 COMMAND test_gpu)
   set_tests_properties(SilhouetteCamera.OnGL32 PROPERTIES LABELS unit ENVIRONMENT
     "MESA_GL_VERSION_OVERRIDE=3.2;MESA_GLSL_VERSION_OVERRIDE=150;MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader5")
-  add_executable(test_headless test_headless.cxx)
+  add_executable(test_headless pass/test_headless.cxx)
   target_link_libraries(test_headless PRIVATE
     shadow_ball_scene GTest::gtest_main shadow_warnings ${CMAKE_DL_LIBS})
   vtk_module_autoinit(TARGETS test_headless MODULES VTK::RenderingOpenGL2)
@@ -86,22 +86,23 @@ if(VTKSHADOW_HEADLESS)
       PROPERTIES LABELS unit ENVIRONMENT VTKSHADOW_HEADLESS=${choice})
   endforeach()
   # Silhouettes that the GPU keeps, read back. The benchmarks use this as well.
-  add_library(shadow_silhouette_probe STATIC SilhouetteProbe.cxx VolumeOracle.cxx)
-  target_include_directories(shadow_silhouette_probe PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+  add_library(shadow_silhouette_probe STATIC gpu/SilhouetteProbe.cxx silhouettes/VolumeOracle.cxx)
+  target_include_directories(shadow_silhouette_probe PUBLIC gpu silhouettes)
   target_link_libraries(shadow_silhouette_probe
     PUBLIC shadow_test_scene shadow_drawable shadow_test_meshes PRIVATE shadow_warnings)
 
   # What is drawn, and with what on a GL that can do less.
   add_executable(test_gpu_silhouettes
-    UploadCounter.cxx
-    test_deforming_mesh.cxx
-    test_depth_bias.cxx
-    test_gpu_method_changes.cxx
-    test_gpu_methods.cxx
-    test_gpu_silhouettes.cxx
-    test_moved_buffers.cxx)
+    gpu/UploadCounter.cxx
+    gpu/test_deforming_mesh.cxx
+    gpu/test_depth_bias.cxx
+    gpu/test_gpu_method_changes.cxx
+    gpu/test_gpu_methods.cxx
+    gpu/test_gpu_silhouettes.cxx
+    gpu/test_moved_buffers.cxx)
   target_link_libraries(test_gpu_silhouettes PRIVATE
     shadow_silhouette_probe shadow_ball_scene GTest::gtest_main shadow_warnings)
+  target_include_directories(test_gpu_silhouettes PRIVATE outlines silhouettes)
   vtk_module_autoinit(TARGETS test_gpu_silhouettes MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
   gtest_discover_tests(test_gpu_silhouettes DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
   # Once more on a GL without compute shaders, and on the least there may be, bare of what it usually brings along.

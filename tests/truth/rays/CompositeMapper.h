@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../../plugin/vtkShadowCompat.h"
+#include "../../../plugin/vtkShadowCompat.h"
 
 #if VTKSHADOW_VTK_AT_LEAST(9, 3)
 #include <vtkCompositePolyDataMapper.h>

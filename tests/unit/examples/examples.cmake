@@ -1,6 +1,6 @@
 # Tests of the example programs. Included by tests/unit/CMakeLists.txt; does nothing where the programs are not built.
 if(TARGET shadow_examples)
-  add_executable(test_examples test_example_lights.cxx test_output_files.cxx test_render_options.cxx)
+  add_executable(test_examples examples/test_example_lights.cxx examples/test_output_files.cxx examples/test_render_options.cxx)
   target_link_libraries(test_examples PRIVATE shadow_examples shadow_silhouette shadow_warnings GTest::gtest_main
     VTK::CommonMath VTK::IOImage)
   gtest_discover_tests(test_examples DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
