@@ -1,0 +1,159 @@
+#include "CertainPixels.h"
+
+#include <cmath>
+#include <limits>
+
+namespace shadow::fuzz
+{
+
+namespace
+{
+
+constexpr double roundings = 32.0 * std::numeric_limits<double>::epsilon();
+
+double getLargestCoordinate(const truth::Scene& scene, const glm::dvec4& lightPosition)
+{
+  double largest = truth::largestCoordinate(glm::dvec3(lightPosition));
+  for (const truth::Triangle& triangle : scene.triangles)
+  {
+    for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c})
+    {
+      largest = std::max(largest, truth::largestCoordinate(corner));
+    }
+  }
+  return largest;
+}
+
+std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const truth::Scene& scene,
+                                         const truth::Light& light)
+{
+  const bool isPositional = light.positionWC.w != 0.0;
+  const double far = roundings * (isPositional ? getLargestCoordinate(scene, light.positionWC) : 1.0);
+  std::vector<truth::LocalLight> moved;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    truth::LocalLight at = caster.localLight(light);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      at.position[axis] += ((corner >> axis) & 1) != 0 ? far : -far;
+    }
+    moved.push_back(at);
+  }
+  return moved;
+}
+
+/// In the ray caster's space.
+std::vector<truth::LocalTriangle> makeCasters(const truth::RayCaster& caster, const truth::Scene& scene)
+{
+  std::vector<truth::LocalTriangle> casters;
+  for (const truth::Triangle& triangle : scene.triangles)
+  {
+    const double largest =
+        std::max({truth::largestCoordinate(triangle.a), truth::largestCoordinate(triangle.b),
+                  truth::largestCoordinate(triangle.c)});
+    casters.push_back({triangle.a - caster.originWC(), triangle.b - caster.originWC(),
+                       triangle.c - caster.originWC(), truth::vertexRounding(largest),
+                       static_cast<std::uint32_t>(casters.size()), triangle.casts, false, false});
+  }
+  return casters;
+}
+
+} // namespace
+
+CertainPixels::CertainPixels(const truth::Scene& scene, const truth::View& view,
+                             const truth::Light& theLight)
+    : caster(scene), truth(caster, view, theLight), rays(view, caster.originWC()),
+      casters(makeCasters(caster, scene)), light(caster.localLight(theLight)),
+      movedLights(moveLight(caster, scene, theLight)), known(truth.mask().size(), -1)
+{
+}
+
+bool CertainPixels::isCertain(int x, int y) const
+{
+  const std::size_t pixel = static_cast<std::size_t>(y) * this->getWidth() + x;
+  signed char& certain = this->known[pixel];
+  if (certain < 0)
+  {
+    certain = this->truth.isCertain(x, y) ? 1 : 0;
+    const truth::Ray ray = this->rays.through(x + 0.5, y + 0.5);
+    for (const truth::LocalLight& moved : this->movedLights)
+    {
+      const bool isShadowed = this->caster.answer(ray, moved) == truth::Answer::Shadowed;
+      if (isShadowed != (this->getMask()[pixel] == 0))
+      {
+        certain = 0;
+      }
+    }
+  }
+  return certain != 0;
+}
+
+bool CertainPixels::isPointLit(const glm::dvec3& point) const
+{
+  const glm::dvec3 direction = glm::dvec3(this->light.position) - this->light.position.w * point;
+  const double rounding = truth::vertexRounding(truth::largestCoordinate(point));
+  for (const truth::LocalTriangle& triangle : this->casters)
+  {
+    if (truth::blocks(triangle, point, rounding, direction, this->light))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool CertainPixels::isLit(const truth::Ray& ray) const
+{
+  return this->isPointLit(ray.origin);
+}
+
+bool CertainPixels::isLitAtNearPlane(int x, int y) const
+{
+  const double off = truth::MaskTruth::certainOffset;
+  bool isLit = this->isLit(this->rays.through(x + 0.5, y + 0.5));
+  for (const double dx : {-off, off})
+  {
+    for (const double dy : {-off, off})
+    {
+      isLit = isLit && this->isLit(this->rays.through(x + 0.5 + dx, y + 0.5 + dy));
+    }
+  }
+  return isLit;
+}
+
+bool CertainPixels::isNearPlaneLit() const
+{
+  const glm::dvec4 eye = this->rays.eye();
+  if (eye.w != 0.0 && !this->isPointLit(glm::dvec3(eye)))
+  {
+    return false;
+  }
+  constexpr int cells = 16;
+  for (int j = 0; j <= cells; ++j)
+  {
+    for (int i = 0; i <= cells; ++i)
+    {
+      const double x = static_cast<double>(i) * this->getWidth() / cells;
+      if (!this->isLit(this->rays.through(x, static_cast<double>(j) * this->getHeight() / cells)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::size_t CertainPixels::countCertain() const
+{
+  std::size_t count = 0;
+  for (int y = 0; y < this->getHeight(); ++y)
+  {
+    for (int x = 0; x < this->getWidth(); ++x)
+    {
+      count += this->isCertain(x, y) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+} // namespace shadow::fuzz

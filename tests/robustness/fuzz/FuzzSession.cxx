@@ -1,0 +1,58 @@
+#include "FuzzSession.h"
+
+#include <algorithm>
+
+#include "EveryMethod.h"
+
+namespace shadow::fuzz
+{
+
+DrawnScene FuzzSession::draw(const FuzzScene& scene)
+{
+  this->window.show(scene);
+  DrawnScene drawn;
+  std::vector<FuzzConfig> configs = {FuzzConfig{vtkShadowVolumePass::STENCIL_AUTO},
+                                     FuzzConfig{vtkShadowVolumePass::STENCIL_ZFAIL}};
+  for (const FuzzConfig& config : scene.configs)
+  {
+    if (std::find(configs.begin(), configs.end(), config) == configs.end())
+    {
+      configs.push_back(config);
+    }
+  }
+  for (const FuzzConfig& config : configs)
+  {
+    if (config.stencil != vtkShadowVolumePass::STENCIL_ZPASS || drawn.truth->isNearPlaneLit())
+    {
+      drawn.masks.push_back(this->window.draw(config));
+    }
+    if (!drawn.truth)
+    {
+      drawn.truth = std::make_unique<CertainPixels>(this->window.getTruthScene(), this->window.getView(),
+                                                    this->window.getLight());
+    }
+  }
+  return drawn;
+}
+
+SceneVerdict FuzzSession::judge(const FuzzScene& scene, std::size_t enough)
+{
+  const DrawnScene drawn = this->draw(scene);
+  return judgeMasks(*drawn.truth, drawn.masks, enough);
+}
+
+std::vector<FuzzConfig> listEveryConfig()
+{
+  std::vector<FuzzConfig> configs;
+  const vtkNew<vtkShadowVolumePass> pass;
+  for (const truth::ShadowMethod& method : truth::everyMethod(pass))
+  {
+    configs.push_back({method.stencil, method.silhouette, vtkShadowVolumePass::COMPOSITING_MASK,
+                       method.countBuffer});
+  }
+  configs.push_back({vtkShadowVolumePass::STENCIL_AUTO, 0, vtkShadowVolumePass::COMPOSITING_ADDITIVE});
+  configs.push_back({vtkShadowVolumePass::STENCIL_ZFAIL, 0, vtkShadowVolumePass::COMPOSITING_ADDITIVE});
+  return configs;
+}
+
+} // namespace shadow::fuzz
