@@ -1,5 +1,6 @@
 #include "CertainPixels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,7 +30,7 @@ std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const t
 {
   const bool isPositional = light.positionWC.w != 0.0;
   const double far = roundings * (isPositional ? getLargestCoordinate(scene, light.positionWC) : 1.0);
-  std::vector<truth::LocalLight> moved;
+  std::vector<truth::LocalLight> moved = {caster.localLight(light)};
   for (int corner = 0; corner < 8; ++corner)
   {
     truth::LocalLight at = caster.localLight(light);
@@ -43,19 +44,19 @@ std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const t
 }
 
 /// In the ray caster's space.
-std::vector<truth::LocalTriangle> makeCasters(const truth::RayCaster& caster, const truth::Scene& scene)
+std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, const truth::Scene& scene)
 {
-  std::vector<truth::LocalTriangle> casters;
+  std::vector<truth::LocalTriangle> triangles;
   for (const truth::Triangle& triangle : scene.triangles)
   {
     const double largest =
         std::max({truth::largestCoordinate(triangle.a), truth::largestCoordinate(triangle.b),
                   truth::largestCoordinate(triangle.c)});
-    casters.push_back({triangle.a - caster.originWC(), triangle.b - caster.originWC(),
+    triangles.push_back({triangle.a - caster.originWC(), triangle.b - caster.originWC(),
                        triangle.c - caster.originWC(), truth::vertexRounding(largest),
-                       static_cast<std::uint32_t>(casters.size()), triangle.casts, false, false});
+                       static_cast<std::uint32_t>(triangles.size()), triangle.casts, false, false});
   }
-  return casters;
+  return triangles;
 }
 
 } // namespace
@@ -63,7 +64,7 @@ std::vector<truth::LocalTriangle> makeCasters(const truth::RayCaster& caster, co
 CertainPixels::CertainPixels(const truth::Scene& scene, const truth::View& view,
                              const truth::Light& theLight)
     : caster(scene), truth(caster, view, theLight), rays(view, caster.originWC()),
-      casters(makeCasters(caster, scene)), light(caster.localLight(theLight)),
+      triangles(makeTriangles(caster, scene)), light(caster.localLight(theLight)),
       movedLights(moveLight(caster, scene, theLight)), known(truth.mask().size(), -1)
 {
 }
@@ -74,25 +75,46 @@ bool CertainPixels::isCertain(int x, int y) const
   signed char& certain = this->known[pixel];
   if (certain < 0)
   {
-    certain = this->truth.isCertain(x, y) ? 1 : 0;
     const truth::Ray ray = this->rays.through(x + 0.5, y + 0.5);
+    const bool isShadowed = this->getMask()[pixel] == 0;
+    certain = this->truth.isCertain(x, y) && this->hasSameAnswerNearby(ray, isShadowed) &&
+                      !this->isInPlaneOfLight(ray)
+                  ? 1
+                  : 0;
+  }
+  return certain != 0;
+}
+
+bool CertainPixels::hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) const
+{
+  return std::all_of(this->movedLights.begin(), this->movedLights.end(),
+                     [&](const truth::LocalLight& moved)
+                     { return (this->caster.answer(ray, moved) == truth::Answer::Shadowed) == isShadowed; });
+}
+
+bool CertainPixels::isInPlaneOfLight(const truth::Ray& ray) const
+{
+  const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
+  for (std::size_t i = 0; hit && i < this->triangles.size(); ++i)
+  {
     for (const truth::LocalLight& moved : this->movedLights)
     {
-      const bool isShadowed = this->caster.answer(ray, moved) == truth::Answer::Shadowed;
-      if (isShadowed != (this->getMask()[pixel] == 0))
+      const glm::dvec3 direction = glm::dvec3(moved.position) - moved.position.w * hit->point;
+      if ((i == hit->triangle || truth::lineVolumes(this->triangles[i], hit->point, direction).crosses()) &&
+          truth::sideOfPlane(this->triangles[i], moved.position, moved.rounding) == 0)
       {
-        certain = 0;
+        return true;
       }
     }
   }
-  return certain != 0;
+  return false;
 }
 
 bool CertainPixels::isPointLit(const glm::dvec3& point) const
 {
   const glm::dvec3 direction = glm::dvec3(this->light.position) - this->light.position.w * point;
   const double rounding = truth::vertexRounding(truth::largestCoordinate(point));
-  for (const truth::LocalTriangle& triangle : this->casters)
+  for (const truth::LocalTriangle& triangle : this->triangles)
   {
     if (truth::blocks(triangle, point, rounding, direction, this->light))
     {

@@ -15,7 +15,11 @@ namespace shadow::fuzz
 /// - at the four points 1/64 pixel off its centre diagonally, since rasterisers move corners that far;
 /// - when the light moves by a few roundings: to the eight corners of a cube around it whose half side is 32
 ///   units in the last place, in double precision, of the largest coordinate of the scene and the light; or,
-///   for a directional light, of 1.
+///   for a directional light, of 1;
+/// - and when the light lies in the plane of no triangle that counts here, as far as rounding of its corners
+///   tells: not of the one that is seen, nor of one between it and the light. The ray caster takes these for
+///   neither side, see truth::sideOfPlane(). Slivers turn about their long side with the least rounding, so
+///   for them this reaches farther than the cube.
 class CertainPixels
 {
 public:
@@ -27,7 +31,7 @@ public:
   int getHeight() const { return this->truth.height(); }
   const std::vector<unsigned char>& getMask() const { return this->truth.mask(); }
 
-  /// Casts up to twelve camera rays at the first question, then remembers.
+  /// Casts up to thirteen camera rays at the first question, then remembers.
   bool isCertain(int x, int y) const;
 
   /// Whether the light reaches what is just beyond the near plane, there and 1/64 pixel off. Elsewhere z-pass
@@ -41,15 +45,17 @@ public:
   std::size_t countCertain() const;
 
 private:
+  bool hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) const;
+  bool isInPlaneOfLight(const truth::Ray& ray) const;
   bool isLit(const truth::Ray& ray) const;
   bool isPointLit(const glm::dvec3& point) const;
 
   truth::RayCaster caster;
   truth::MaskTruth truth;
   truth::PixelRays rays;
-  std::vector<truth::LocalTriangle> casters;
+  std::vector<truth::LocalTriangle> triangles; ///< in the scene's order
   truth::LocalLight light;
-  std::vector<truth::LocalLight> movedLights;
+  std::vector<truth::LocalLight> movedLights; ///< the light itself, too
   mutable std::vector<signed char> known; ///< a pixel's certainty; -1 not asked yet
 };
 

@@ -28,7 +28,8 @@ std::string writeCase(FuzzSession& session, const FuzzOptions& options, const Fu
                    [&](const FuzzScene& smaller)
                    {
                      const SceneVerdict now = session.judge(smaller, needed);
-                     return found > verdict.limit ? now.getWorst().wrong >= needed : now.isWrong();
+                     return now.getFault() == verdict.getFault() &&
+                            (now.getFault() != Fault::WrongMask || now.getWorst().wrong >= needed);
                    });
   }
   small.kind = getSceneKind(small);

@@ -70,7 +70,7 @@ SceneVerdict judgeMasks(const CertainPixels& truth, const std::vector<DrawnMask>
     {
       throw std::invalid_argument("judgeMasks: a mask is not of the view's size");
     }
-    verdict.masks.push_back({drawn.config, 0, glm::ivec2(-1), drawn.trouble});
+    verdict.masks.push_back({drawn.config, 0, glm::ivec2(-1), drawn.refusal, drawn.wrongInPicture});
   }
   for (int y = 0; y < truth.getHeight() && verdict.getWorst().wrong <= enough; ++y)
   {
@@ -92,11 +92,23 @@ const MaskVerdict& SceneVerdict::getWorst() const
                            [](const MaskVerdict& a, const MaskVerdict& b) { return a.wrong < b.wrong; });
 }
 
-bool SceneVerdict::isWrong() const
+Fault SceneVerdict::getFault() const
 {
-  return this->differing > 0 || std::any_of(this->masks.begin(), this->masks.end(),
-                                            [this](const MaskVerdict& mask)
-                                            { return mask.wrong > this->limit || !mask.trouble.empty(); });
+  const auto any = [this](const auto& condition)
+  { return std::any_of(this->masks.begin(), this->masks.end(), condition); };
+  if (any([this](const MaskVerdict& mask) { return mask.wrong > this->limit; }))
+  {
+    return Fault::WrongMask;
+  }
+  if (this->differing > 0)
+  {
+    return Fault::MasksDiffer;
+  }
+  if (any([this](const MaskVerdict& mask) { return mask.wrongInPicture > this->limit; }))
+  {
+    return Fault::WrongPicture;
+  }
+  return any([](const MaskVerdict& mask) { return !mask.refusal.empty(); }) ? Fault::Refused : Fault::None;
 }
 
 std::string SceneVerdict::describe() const
@@ -104,14 +116,20 @@ std::string SceneVerdict::describe() const
   std::string text;
   for (const MaskVerdict& mask : this->masks)
   {
-    if (mask.wrong > 0 || !mask.trouble.empty())
+    const std::string name = "  " + getName(mask.config) + ": ";
+    if (mask.wrong > 0)
     {
-      text += "  " + getName(mask.config) + ": " + std::to_string(mask.wrong) + " wrong certain pixels";
-      if (mask.wrong > 0)
-      {
-        text += ", first " + std::to_string(mask.first.x) + ", " + std::to_string(mask.first.y);
-      }
-      text += mask.trouble.empty() ? "\n" : "; " + mask.trouble + "\n";
+      text += name + std::to_string(mask.wrong) + " wrong certain pixels, first " +
+              std::to_string(mask.first.x) + ", " + std::to_string(mask.first.y) + "\n";
+    }
+    if (mask.wrongInPicture > 0)
+    {
+      text += name + "the pictures of the two compositings differ in " + std::to_string(mask.wrongInPicture) +
+              " pixels\n";
+    }
+    if (!mask.refusal.empty())
+    {
+      text += name + "the pass says: " + mask.refusal + "\n";
     }
   }
   if (this->differing > 0)

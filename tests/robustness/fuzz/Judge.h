@@ -19,7 +19,18 @@ struct MaskVerdict
   FuzzConfig config;
   std::size_t wrong = 0; ///< certain pixels that differ from the truth
   glm::ivec2 first{-1};  ///< of these, the lowest, leftmost one
-  std::string trouble;   ///< as DrawnMask has it
+  std::string refusal;   ///< as DrawnMask has it
+  std::size_t wrongInPicture = 0;
+};
+
+/// The gravest first.
+enum class Fault
+{
+  WrongMask,    ///< a mask has more wrong pixels than it may have
+  MasksDiffer,  ///< in a certain pixel
+  WrongPicture, ///< the two compositings differ in more pixels than a mask may have wrong
+  Refused,      ///< the pass did not draw all
+  None
 };
 
 struct SceneVerdict
@@ -30,7 +41,8 @@ struct SceneVerdict
   std::size_t differing = 0; ///< certain pixels in which two masks differ
 
   const MaskVerdict& getWorst() const;
-  bool isWrong() const; ///< more wrong pixels than may be, pixels in which masks differ, or trouble
+  Fault getFault() const;
+  bool isWrong() const { return this->getFault() != Fault::None; }
   std::string describe() const;
 };
 
@@ -42,7 +54,7 @@ std::size_t getWrongPixelLimit(std::size_t certainPixels);
 ///
 /// @param masks   of the truth's size
 /// @param enough  ends the search as soon as a mask has more wrong pixels than this
-/// @par Cost  up to twelve camera rays for every pixel in which a mask differs from the truth
+/// @par Cost  up to thirteen camera rays for every pixel in which a mask differs from the truth
 SceneVerdict judgeMasks(const CertainPixels& truth, const std::vector<DrawnMask>& masks,
                         std::size_t enough = std::numeric_limits<std::size_t>::max());
 
