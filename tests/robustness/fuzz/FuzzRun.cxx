@@ -39,15 +39,31 @@ std::string writeCase(FuzzSession& session, const FuzzOptions& options, const Fu
   return "  " + std::to_string(small.getTriangleCount()) + " triangles in " + fileName + "\n";
 }
 
+/// Prints the processes that ended too early, with the scenes that they were at.
+void printFailures(const FuzzOptions& options, const JobLines& jobs,
+                   const std::vector<std::uint64_t>& finished)
+{
+  for (const JobLines::Failure& failure : jobs.getFailures())
+  {
+    const auto job = static_cast<std::size_t>(failure.job);
+    const std::uint64_t number =
+        options.first + job + finished[job] * static_cast<std::uint64_t>(options.jobs);
+    std::printf("process %d %s at scene %llu\n", failure.job, failure.reason.c_str(),
+                static_cast<unsigned long long>(number));
+  }
+}
+
 bool report(const FuzzOptions& options, JobLines& jobs)
 {
   FuzzReport report;
+  std::vector<std::uint64_t> finished(static_cast<std::size_t>(options.jobs), 0);
   std::uint64_t nextProgress = options.scenes / 10;
-  bool isWhole = true;
   while (const std::optional<std::string> text = jobs.read())
   {
     const SceneLine line = toSceneLine(nlohmann::ordered_json::parse(*text));
     report.add(line);
+    ++finished[static_cast<std::size_t>((line.number - options.first) %
+                                        static_cast<std::uint64_t>(options.jobs))];
     std::fputs(line.text.c_str(), stdout);
     if (report.getScenes() >= nextProgress)
     {
@@ -59,13 +75,9 @@ bool report(const FuzzOptions& options, JobLines& jobs)
     }
     std::fflush(stdout);
   }
-  for (const std::string& failure : jobs.getFailures())
-  {
-    std::printf("%s\n", failure.c_str());
-    isWhole = false;
-  }
+  printFailures(options, jobs, finished);
   report.print(stdout);
-  return isWhole && report.getWrongScenes() == 0 && report.getScenes() == options.scenes;
+  return jobs.getFailures().empty() && report.getWrongScenes() == 0 && report.getScenes() == options.scenes;
 }
 
 } // namespace

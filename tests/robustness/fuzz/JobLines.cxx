@@ -150,13 +150,14 @@ void JobLines::close(Job& job)
   job.pipe = -1;
   int status = 0;
   waitpid(job.process, &status, 0);
+  const auto number = static_cast<int>(&job - this->jobs.data());
   if (WIFSIGNALED(status))
   {
-    this->failures.push_back("a process was ended by signal " + std::to_string(WTERMSIG(status)));
+    this->failures.push_back({number, "ended by signal " + std::to_string(WTERMSIG(status))});
   }
   else if (WEXITSTATUS(status) != EXIT_SUCCESS)
   {
-    this->failures.emplace_back("a process failed");
+    this->failures.push_back({number, "failed"});
   }
 }
 

@@ -29,8 +29,14 @@ public:
   /// The next line of any process; nothing when all have ended.
   std::optional<std::string> read();
 
+  struct Failure
+  {
+    int job = 0;
+    std::string reason;
+  };
+
   /// Processes that did not end well. @pre read() has given nothing
-  const std::vector<std::string>& getFailures() const { return this->failures; }
+  const std::vector<Failure>& getFailures() const { return this->failures; }
 
 private:
   struct Job
@@ -45,7 +51,7 @@ private:
   void close(Job& job);
 
   std::vector<Job> jobs;
-  std::vector<std::string> failures;
+  std::vector<Failure> failures;
 };
 
 } // namespace shadow::fuzz

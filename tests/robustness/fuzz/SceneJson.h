@@ -12,8 +12,8 @@ namespace shadow::fuzz
 /// A scene as text and back, every number to its last digit.
 ///
 /// Required: "meshes" (a list of triangles for every actor, world space), "camera", "light", "size".
-/// Optional: "actorMatrices" (rows; world from model space), "doublePoints", "sharedPoints", "config" (one way
-/// to draw it) or "configs" (several), "name", "kind", "why", "expected".
+/// Optional: "actorMatrices" (rows; world from model space), "doublePoints", "sharedPoints", "config" (one
+/// way to draw it) or "configs" (several), "name", "kind", "why", "expected".
 nlohmann::ordered_json toJson(const FuzzScene& scene);
 
 /// @throws std::exception  with what is missing or wrong

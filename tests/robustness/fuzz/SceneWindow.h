@@ -19,8 +19,8 @@ struct DrawnMask
   std::size_t wrongInPicture = 0;  ///< pixels in which the two compositings differ, see SceneWindow::draw()
 };
 
-/// A window that draws one scene after the other. GL objects that do not depend on the scene, such as shaders,
-/// stay.
+/// A window that draws one scene after the other. GL objects that do not depend on the scene, such as
+/// shaders, stay.
 class SceneWindow
 {
 public:

@@ -1,12 +1,15 @@
 // That the judge finds what is wrong, lets pass what has no right answer, and that scenes shrink and travel
 // through files.
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "FuzzSession.h"
+#include "JobLines.h"
 #include "SceneJson.h"
 #include "SceneMaker.h"
 #include "Shrinker.h"
@@ -165,8 +168,8 @@ TEST(FuzzShrinker, FaultOfOneTriangle_ThatTriangleIsLeft)
   EXPECT_TRUE(small.configs.empty());
 }
 
-// Drawn and judged: a mask that lacks the shadow of the square is wrong for as long as a part of the square and
-// of the floor are there.
+// Drawn and judged: a mask that lacks the shadow of the square is wrong for as long as a part of the square
+// and of the floor are there.
 TEST(FuzzShrinker, ShadowLeftOut_OneCasterAndItsReceiverAreLeft)
 {
   FuzzSession session;
@@ -237,6 +240,32 @@ TEST(FuzzScenes, FileThatIsNone_SaysItsName)
   {
     EXPECT_NE(std::string(error.what()).find("no-such-scene.json"), std::string::npos);
   }
+}
+
+// One of two processes crashes at its second line.
+TEST(FuzzJobs, ProcessThatCrashes_IsNamedAndTheOtherGoesOn)
+{
+  JobLines jobs(2,
+                [](int job, const JobLines::Write& write)
+                {
+                  for (int i = 0; i < 3; ++i)
+                  {
+                    if (job == 1 && i == 1)
+                    {
+                      std::raise(SIGKILL);
+                    }
+                    write(std::to_string(10 * job + i));
+                  }
+                });
+  std::multiset<std::string> lines;
+  while (const std::optional<std::string> line = jobs.read())
+  {
+    lines.insert(*line);
+  }
+  EXPECT_EQ(lines, (std::multiset<std::string>{"0", "1", "2", "10"}));
+  ASSERT_EQ(jobs.getFailures().size(), 1u);
+  EXPECT_EQ(jobs.getFailures().front().job, 1);
+  EXPECT_EQ(jobs.getFailures().front().reason, "ended by signal 9");
 }
 
 } // namespace shadow::fuzz

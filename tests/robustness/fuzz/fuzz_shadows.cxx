@@ -1,5 +1,5 @@
-// Draws random scenes, or scenes from files, in many ways, and holds the shadow masks against the truth by ray
-// casting and against each other. Ends with 1 when any is wrong.
+// Draws random scenes, or scenes from files, in many ways, and holds the shadow masks against the truth by
+// ray casting and against each other. Ends with 1 when any is wrong.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -51,7 +51,7 @@ bool runCases(const std::vector<std::string>& fileNames, bool writesPictures, co
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"Random scenes, drawn in many ways and held against the truth by ray casting.", "fuzz_shadows"};
+  CLI::App app{"Random scenes, drawn in many ways and held against ray casting.", "fuzz_shadows"};
   FuzzOptions options;
   std::vector<std::string> fileNames;
   bool keepsSize = false;
