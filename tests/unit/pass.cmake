@@ -43,6 +43,7 @@ if(VTKSHADOW_HEADLESS)
     outlines/RefusingGL.cxx
     outlines/test_large_faces.cxx
     outlines/test_outline_cases.cxx
+    outlines/test_outline_copies.cxx
     outlines/test_outline_faces.cxx
     outlines/test_outline_pass.cxx
     outlines/test_outline_refusals.cxx
