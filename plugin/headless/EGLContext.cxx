@@ -186,6 +186,23 @@ bool EGLContext::isCurrent() const
   return Functions::get().getCurrentContext() == this->context;
 }
 
+std::function<void()> EGLContext::rememberCurrent() const
+{
+  const Functions& functions = Functions::get();
+  egl::Context before = functions.getCurrentContext();
+  // Nothing can be made current on a display only: on whichever.
+  egl::Display on = before != nullptr ? functions.getCurrentDisplay() : this->display;
+  egl::Surface draw = functions.getCurrentSurface(egl::Draw);
+  egl::Surface read = functions.getCurrentSurface(egl::Read);
+  return [=]
+  {
+    if (functions.getCurrentContext() != before)
+    {
+      functions.makeCurrent(on, draw, read, before);
+    }
+  };
+}
+
 vtkShadowGLFunction EGLContext::getFunction(const char* name)
 {
   return Functions::get().getProcAddress(name);

@@ -18,6 +18,7 @@ public:
 
   bool makeCurrent() override;
   bool isCurrent() const override;
+  std::function<void()> rememberCurrent() const override;
   std::string getDescription() const override { return this->description; }
 
   static vtkShadowGLFunction getFunction(const char* name);

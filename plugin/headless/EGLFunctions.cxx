@@ -19,6 +19,8 @@ Functions::Functions()
   library.find("eglCreateContext", this->createContext);
   library.find("eglDestroyContext", this->destroyContext);
   library.find("eglGetCurrentContext", this->getCurrentContext);
+  library.find("eglGetCurrentDisplay", this->getCurrentDisplay);
+  library.find("eglGetCurrentSurface", this->getCurrentSurface);
   library.find("eglMakeCurrent", this->makeCurrent);
 
   this->queryDevices =

@@ -37,6 +37,8 @@ enum : int
   StencilSize = 0x3026,
   Width = 0x3057,
   Height = 0x3056,
+  Draw = 0x3059,
+  Read = 0x305A,
   ContextMajorVersion = 0x3098,
   ContextMinorVersion = 0x30FB,
   ContextProfileMask = 0x30FD,
@@ -59,6 +61,8 @@ struct Functions
   Context (*createContext)(Display, Config, Context shared, const int* attributes);
   unsigned int (*destroyContext)(Display, Context);
   Context (*getCurrentContext)();
+  Display (*getCurrentDisplay)();
+  Surface (*getCurrentSurface)(int readOrDraw);
   unsigned int (*makeCurrent)(Display, Surface draw, Surface read, Context);
 
   // Of EGL_EXT_device_enumeration and EGL_EXT_device_query; null where these are not there.

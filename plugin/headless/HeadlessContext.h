@@ -1,6 +1,7 @@
 #ifndef HeadlessContext_h
 #define HeadlessContext_h
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,10 @@ public:
   /// @return false when the GL refuses
   virtual bool makeCurrent() = 0;
   virtual bool isCurrent() const = 0;
+
+  /// What the calling thread draws into now: this context, any other of the same GL, or none.
+  /// @return makes that current again, in this thread, as long as this context and that one exist
+  virtual std::function<void()> rememberCurrent() const = 0;
 
   /// Where it comes from, for people: "OSMesa", "EGL 1.5 of NVIDIA, device 0".
   virtual std::string getDescription() const = 0;

@@ -18,7 +18,9 @@ struct OSMesa
 {
   decltype(&OSMesaCreateContextAttribs) createContextAttribs = nullptr;
   decltype(&OSMesaDestroyContext) destroyContext = nullptr;
+  decltype(&OSMesaGetColorBuffer) getColorBuffer = nullptr;
   decltype(&OSMesaGetCurrentContext) getCurrentContext = nullptr;
+  decltype(&OSMesaGetIntegerv) getIntegerv = nullptr;
   decltype(&OSMesaGetProcAddress) getProcAddress = nullptr;
   decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
 
@@ -28,7 +30,9 @@ struct OSMesa
                                 "there is no OSMesa (Debian: libosmesa6)");
     library.find("OSMesaCreateContextAttribs", this->createContextAttribs);
     library.find("OSMesaDestroyContext", this->destroyContext);
+    library.find("OSMesaGetColorBuffer", this->getColorBuffer);
     library.find("OSMesaGetCurrentContext", this->getCurrentContext);
+    library.find("OSMesaGetIntegerv", this->getIntegerv);
     library.find("OSMesaGetProcAddress", this->getProcAddress);
     library.find("OSMesaMakeCurrent", this->makeCurrent);
   }
@@ -89,6 +93,28 @@ bool OSMesaContext::makeCurrent()
 bool OSMesaContext::isCurrent() const
 {
   return osMesa().getCurrentContext() == this->context;
+}
+
+std::function<void()> OSMesaContext::rememberCurrent() const
+{
+  ::OSMesaContext before = osMesa().getCurrentContext();
+  void* pixels = nullptr;
+  GLint width = 0;
+  GLint height = 0;
+  GLint format = 0;
+  GLint type = GL_UNSIGNED_BYTE;
+  if (before != nullptr)
+  {
+    osMesa().getColorBuffer(before, &width, &height, &format, &pixels);
+    osMesa().getIntegerv(OSMESA_TYPE, &type);
+  }
+  return [=]
+  {
+    if (osMesa().getCurrentContext() != before)
+    {
+      osMesa().makeCurrent(before, pixels, static_cast<GLenum>(type), width, height);
+    }
+  };
 }
 
 vtkShadowGLFunction OSMesaContext::getFunction(const char* name)

@@ -19,6 +19,7 @@ public:
 
   bool makeCurrent() override;
   bool isCurrent() const override;
+  std::function<void()> rememberCurrent() const override;
   std::string getDescription() const override { return "OSMesa"; }
 
   /// @pre a context has been made

@@ -1,5 +1,8 @@
 #include "vtkHeadlessRenderWindow.h"
 
+#include <functional>
+#include <vector>
+
 #include <vtkObjectFactory.h>
 
 #include "../vtkShadowCompat.h"
@@ -11,6 +14,7 @@ class vtkHeadlessRenderWindow::vtkInternals
 public:
   std::string Error; ///< why there is no context; before it, which fills it in
   std::unique_ptr<shadow::HeadlessContext> Context = shadow::makeHeadlessContext(this->Error);
+  std::vector<std::function<void()>> Pushed; ///< each makes current what was so before a push
   bool Reported = false;
 };
 
@@ -51,8 +55,9 @@ vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow()
   // While the context is still there: renderers and the window give back what they hold in it.
   if (this->IsUsable())
   {
-    this->MakeCurrent();
+    this->PushContext();
     this->Finalize();
+    this->PopContext();
   }
 }
 
@@ -98,4 +103,21 @@ void vtkHeadlessRenderWindow::MakeCurrent()
 bool vtkHeadlessRenderWindow::IsCurrent()
 {
   return this->IsUsable() && this->Internals->Context->isCurrent();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::PushContext()
+{
+  this->Internals->Pushed.push_back(this->IsUsable() ? this->Internals->Context->rememberCurrent() : [] {});
+  this->MakeCurrent();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::PopContext()
+{
+  if (!this->Internals->Pushed.empty())
+  {
+    this->Internals->Pushed.back()();
+    this->Internals->Pushed.pop_back();
+  }
 }

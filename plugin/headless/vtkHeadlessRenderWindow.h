@@ -47,6 +47,13 @@ public:
   void MakeCurrent() override;
   bool IsCurrent() override;
 
+  /**
+   * Called by VTK around what it frees in the window's context: what was current before the one is current
+   * again after the other, also when that was no context. They nest.
+   */
+  void PushContext() override;
+  void PopContext() override;
+
 protected:
   vtkHeadlessRenderWindow();
   ~vtkHeadlessRenderWindow() override;

@@ -30,16 +30,14 @@ void PassContext::acquire(const std::function<void()>& forget)
 
 void PassContext::release(const std::function<void(bool contextLost)>& free)
 {
-  const bool contextLost = this->isLost();
-  if (!contextLost)
+  if (this->isLost())
   {
-    this->window->MakeCurrent();
+    free(true);
+    return;
   }
-  free(contextLost);
-  if (!contextLost)
-  {
-    this->sentinel->ReleaseGraphicsResources(this->window);
-  }
+  const ContextScope scope(this->window);
+  free(false);
+  this->sentinel->ReleaseGraphicsResources(this->window);
 }
 
 View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)

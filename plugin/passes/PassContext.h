@@ -30,6 +30,21 @@ class vtkWindow;
 namespace shadow
 {
 
+/// Makes a window's context current while it lives, and then again what was current before. For all that is
+/// freed or read outside of the window's own picture: VTK drops the last reference to a pass whenever it
+/// likes, also in the middle of another window's.
+class ContextScope
+{
+public:
+  explicit ContextScope(vtkOpenGLRenderWindow* theWindow) : window(theWindow) { this->window->PushContext(); }
+  ~ContextScope() { this->window->PopContext(); }
+  ContextScope(const ContextScope&) = delete;
+  ContextScope& operator=(const ContextScope&) = delete;
+
+private:
+  vtkOpenGLRenderWindow* window;
+};
+
 /// The renderer and window that GL objects of a pass were made for, and whether these are still there.
 class PassContext
 {
@@ -50,6 +65,7 @@ public:
   void acquire(const std::function<void()>& forget);
 
   /// Has @p free free the GL objects, with the context current, or forget them when it is lost.
+  /// @post  what was current before is current again
   void release(const std::function<void(bool contextLost)>& free);
 
 private:

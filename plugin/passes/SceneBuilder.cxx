@@ -193,7 +193,7 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData,
     TriangleSoup soup = importTriangles(polyData);
     if (!soup.triangles.empty())
     {
-      const SEDGeometryOptions options{weldTolerance,
+      const SEDGeometryOptions options{weldTolerance, settings.copiesCountOnce,
                                        previous != nullptr ? &previous->getGeometry() : nullptr};
       std::optional<SEDGeometry> geometry = buildSEDGeometry(std::move(soup), options, mesh.error);
       if (geometry)

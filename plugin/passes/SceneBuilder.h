@@ -34,6 +34,7 @@ public:
     double weldTolerance = 0.0;
     bool weldsRounding = false; ///< points that single precision hardly tells apart at the size of their mesh
                                 ///< count as one, too
+    bool copiesCountOnce = false; ///< see SEDGeometryOptions::copiesCountOnce
     std::function<bool(vtkProp*)>
         isCasting;                  ///< asked for every prop on the way to an actor; see Node::casting
     std::string product = "shadow"; ///< what a prop that cannot be used has none of, for messages

@@ -25,6 +25,7 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
   shadow::SceneBuilder::Settings sceneSettings;
   sceneSettings.weldTolerance = self->WeldTolerance;
   sceneSettings.weldsRounding = true; // a seam that nobody sees must not show as a border
+  sceneSettings.copiesCountOnce = true; // nor the back of a sheet, stored beside its front
   sceneSettings.isCasting = [this](vtkProp* prop) { return !this->NotOutlined.has(prop); };
   sceneSettings.product = "outline";
   state.Builder.update(renderer, sceneSettings, state.Effect);

@@ -219,7 +219,7 @@ bool vtkShadowVolumePass::GetShadowMask(int light, vtkImageData* image)
     vtkErrorMacro("the shadow mask has been released; render again.");
     return false;
   }
-  current->Context.getWindow()->MakeCurrent();
+  const shadow::ContextScope scope(current->Context.getWindow());
   image->SetDimensions(target.getWidth(), target.getHeight(), 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());

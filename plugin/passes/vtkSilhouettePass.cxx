@@ -169,7 +169,7 @@ bool vtkSilhouettePass::GetLineMask(vtkImageData* image)
     vtkErrorMacro("GetLineMask needs an image and a rendering with lines before it.");
     return false;
   }
-  current->Context.getWindow()->MakeCurrent();
+  const shadow::ContextScope scope(current->Context.getWindow());
   const std::vector<unsigned char> mask = current->Effect.readMask(current->Context.getWindow());
   const std::array<int, 2> size = current->Effect.getSize();
   image->SetDimensions(size[0], size[1], 1);

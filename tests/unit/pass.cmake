@@ -43,6 +43,7 @@ if(VTKSHADOW_HEADLESS)
     outlines/RefusingGL.cxx
     outlines/test_large_faces.cxx
     outlines/test_outline_cases.cxx
+    outlines/test_outline_copies.cxx
     outlines/test_outline_faces.cxx
     outlines/test_outline_pass.cxx
     outlines/test_outline_refusals.cxx
@@ -85,6 +86,31 @@ if(VTKSHADOW_HEADLESS)
     gtest_discover_tests(test_headless TEST_FILTER ${suite}.* DISCOVERY_TIMEOUT 60
       PROPERTIES LABELS unit ENVIRONMENT VTKSHADOW_HEADLESS=${choice})
   endforeach()
+  # Windows that share: headless ones by either GL, and those of a display.
+  set(shared_windows windows/SharedWindows.cxx windows/SharedWindowsOperations.cxx windows/test_shared_windows.cxx)
+  add_executable(test_shared_windows windows/HeadlessWindow.cxx ${shared_windows})
+  target_link_libraries(test_shared_windows PRIVATE
+    vtkShadow::HeadlessFirst vtkShadow::Headless vtkShadow::Passes GTest::gtest_main shadow_warnings
+    VTK::FiltersSources VTK::RenderingCore VTK::RenderingOpenGL2)
+  add_executable(test_shared_windows_on_display windows/DisplayWindow.cxx ${shared_windows})
+  target_link_libraries(test_shared_windows_on_display PRIVATE
+    vtkShadow::Passes GTest::gtest_main shadow_warnings
+    VTK::FiltersSources VTK::RenderingCore VTK::RenderingOpenGL2)
+  vtk_module_autoinit(TARGETS test_shared_windows test_shared_windows_on_display MODULES VTK::RenderingOpenGL2)
+  gtest_discover_tests(test_shared_windows DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+  add_test(NAME SharedWindowsTest.OnEGL COMMAND test_shared_windows)
+  # On a server of its own where there is one, else on the user's display; without either it is skipped.
+  find_program(SHADOW_TEST_XVFB xvfb-run)
+  find_program(SHADOW_TEST_XAUTH xauth)
+  mark_as_advanced(SHADOW_TEST_XVFB SHADOW_TEST_XAUTH)
+  set(on_server "")
+  if(SHADOW_TEST_XVFB AND SHADOW_TEST_XAUTH)
+    set(on_server ${SHADOW_TEST_XVFB} --auto-servernum)
+  endif()
+  add_test(NAME SharedWindowsTest.OnDisplay COMMAND ${on_server} $<TARGET_FILE:test_shared_windows_on_display>)
+  set_tests_properties(SharedWindowsTest.OnEGL SharedWindowsTest.OnDisplay PROPERTIES LABELS unit TIMEOUT 300)
+  set_tests_properties(SharedWindowsTest.OnEGL PROPERTIES ENVIRONMENT VTKSHADOW_HEADLESS=egl)
+  set_tests_properties(SharedWindowsTest.OnDisplay PROPERTIES SKIP_REGULAR_EXPRESSION "there is no X server")
   # Silhouettes that the GPU keeps, read back. The benchmarks use this as well.
   add_library(shadow_silhouette_probe STATIC gpu/SilhouetteProbe.cxx silhouettes/VolumeOracle.cxx)
   target_include_directories(shadow_silhouette_probe PUBLIC gpu silhouettes)

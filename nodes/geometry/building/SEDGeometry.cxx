@@ -37,7 +37,7 @@ std::size_t SEDGeometry::getMemorySize() const
 {
   return bytesOf(this->positions) + bytesOf(this->triangles) + bytesOf(this->inputOrder) +
          bytesOf(this->reversed.getWords()) + bytesOf(this->inputReversed.getWords()) +
-         bytesOf(this->planeBlocks) + this->edgeTable.getMemorySize() + this->clusterTree.getMemorySize() +
+         bytesOf(this->copies.getWords()) + bytesOf(this->planeBlocks) + this->edgeTable.getMemorySize() + this->clusterTree.getMemorySize() +
          this->prepared->getMemorySize();
 }
 

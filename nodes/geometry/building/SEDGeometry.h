@@ -44,6 +44,11 @@ struct SEDGeometryOptions
   /// relative to the origin are equal.
   double weldTolerance = 0.0;
 
+  /// For lines: of triangles with the same three corners, wound either way, the first one counts as a part of
+  /// the surface, and the others are kept as copies without neighbours. A sheet that is stored front and back
+  /// is then one sheet. For volumes each counts.
+  bool copiesCountOnce = false;
+
   /// The same mesh before it deformed, or any other: where it has the same triangles their order is taken
   /// over, so that what was made for it elsewhere fits but for positions, and edges are not looked for again
   /// where it has them: see isSameMeshMoved(). Needed during the call only.
@@ -92,6 +97,10 @@ public:
 
   /// Bit t set: triangle t ran against its raster order in the input, which is what face culling goes by.
   const FacingBits& getInputReversed() const { return this->inputReversed; }
+
+  /// Bit t set: triangle t is a copy of one that counts; see SEDGeometryOptions::copiesCountOnce. Its sides
+  /// are borders in the edge table, which are no edges of the surface.
+  const FacingBits& getCopies() const { return this->copies; }
 
   /// The plane of an oriented triangle, computed from its corners.
   TrianglePlane getPlane(std::size_t triangle) const;
@@ -166,6 +175,7 @@ private:
   std::vector<std::uint32_t> inputOrder;
   FacingBits reversed;
   FacingBits inputReversed;
+  FacingBits copies;
   std::vector<PlaneBlock> planeBlocks;
   double reach = 1.0;
   EdgeTable edgeTable;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "CopiedTriangles.h"
 #include "EdgeConnector.h"
 #include "GridOrigin.h"
 #include "ManifoldSplitter.h"
@@ -49,7 +50,13 @@ std::optional<SEDGeometry> SEDGeometryBuilder::build(TriangleSoup soup, std::str
   {
     return std::nullopt;
   }
+  std::vector<std::uint8_t> copies;
+  if (this->options.copiesCountOnce)
+  {
+    copies = findCopies(this->geometry.triangles, this->geometry.positions.size());
+  }
   this->orderTriangles();
+  this->setCopiesApart(copies);
   this->flipped.assign(this->geometry.triangles.size(), 0);
   this->connect();
   orientOutwards(this->geometry.triangles, this->edges, this->geometry.positions, this->flipped);
@@ -170,6 +177,14 @@ void SEDGeometryBuilder::orderTriangles()
   this->geometry.inputOrder = sortIntoPatches(triangles, this->geometry.positions);
 }
 
+void SEDGeometryBuilder::setCopiesApart(const std::vector<std::uint8_t>& copies)
+{
+  const std::size_t vertices = this->geometry.positions.size();
+  this->geometry.copies = shadow::setCopiesApart(copies, this->geometry.inputOrder, this->geometry.triangles,
+                                                 this->geometry.positions);
+  this->geometry.report.splitVertices = this->geometry.positions.size() - vertices;
+}
+
 /// Do the triangles, in the other mesh's order, have its corners, but for vertices that it has split?
 bool SEDGeometryBuilder::hasTrianglesOf(const SEDGeometry& other) const
 {
@@ -251,7 +266,7 @@ void SEDGeometryBuilder::connectSplit()
     ManifoldSplitter splitter(this->geometry.triangles, positions);
     splitter.run();
     report.nonManifoldEdges = splitter.getNonManifoldEdges();
-    report.splitVertices = splitter.getSplitVertices();
+    report.splitVertices += splitter.getSplitVertices();
     this->flipped = splitter.getFlipped();
   }
 

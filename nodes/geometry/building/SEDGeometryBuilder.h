@@ -29,6 +29,7 @@ private:
   bool chooseOrigin(const TriangleSoup& soup, std::string& error);
   bool weldCorners(TriangleSoup& soup, std::string& error);
   void orderTriangles();
+  void setCopiesApart(const std::vector<std::uint8_t>& copies);
   void connect();
   bool connectManifold();
   void connectSplit();

@@ -21,6 +21,7 @@ bool hasArea(const SEDGeometry& geometry, std::size_t face)
 TopologyAwareMesh::TopologyAwareMesh(const SEDGeometry& geometry)
 {
   const std::size_t faces = geometry.getTriangles().size();
+  this->copies = geometry.getCopies();
   this->neighbours.assign(faces, {noTriangle, noTriangle, noTriangle});
   this->normals.resize(faces);
   for (std::size_t face = 0; face < faces; ++face)
@@ -68,6 +69,10 @@ void TopologyAwareMesh::pairBorders(const SEDGeometry& geometry)
   std::vector<Place> places;
   for (const std::uint32_t side : geometry.getEdgeTable().borders)
   {
+    if (this->copies.test(side / 3))
+    {
+      continue;
+    }
     const std::array<std::uint32_t, 2> vertices = geometry.getSide(side / 3, side % 3);
     const glm::vec3& from = geometry.getPositions()[vertices[0]];
     const glm::vec3& to = geometry.getPositions()[vertices[1]];
@@ -119,12 +124,20 @@ glm::vec3 TopologyAwareMesh::getNeighbourNormal(std::size_t face, std::size_t ed
   {
     return this->normals[neighbour];
   }
+  if (this->copies.test(face))
+  {
+    return this->normals[face];
+  }
   const std::uint32_t turned = this->getTurnedNeighbour(face, edge);
   return -this->normals[turned != noTriangle ? turned : face];
 }
 
 EdgeFate TopologyAwareMesh::getFate(const SEDGeometry& geometry, std::size_t face, std::size_t edge) const
 {
+  if (this->copies.test(face))
+  {
+    return EdgeFate::Never;
+  }
   const std::uint32_t neighbour = this->neighbours[face][edge];
   const std::uint32_t turned = neighbour == noTriangle ? this->getTurnedNeighbour(face, edge) : noTriangle;
   if (neighbour == noTriangle && turned == noTriangle)
@@ -171,6 +184,7 @@ bool TopologyAwareMesh::lieAlike(const SEDGeometry& geometry, std::uint32_t face
 std::size_t TopologyAwareMesh::getMemorySize() const
 {
   return this->neighbours.capacity() * sizeof(this->neighbours[0]) +
+         this->copies.getWords().capacity() * sizeof(std::uint64_t) +
          this->normals.capacity() * sizeof(this->normals[0]) +
          this->borders.capacity() * sizeof(this->borders[0]) +
          this->turnedPairs.capacity() * sizeof(this->turnedPairs[0]) +

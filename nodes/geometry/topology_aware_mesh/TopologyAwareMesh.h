@@ -59,6 +59,9 @@ struct FaceEdges
 /// the same way, as where a surface that cannot be oriented is cut, are neighbours of which each sees the
 /// other turned over: they are on the silhouette when they face the eye as one.
 ///
+/// A copy of a triangle that counts (see SEDGeometryOptions::copiesCountOnce) is a face without lines: it has
+/// its own normal at every edge.
+///
 /// A face without area has no side. It takes the normal and the facing of the face across its longest edge,
 /// so that a T-junction which such a face closes draws no line across a smooth surface. Over other such faces
 /// the search goes on; two that have their longest edge in common are left across another one. Where that
@@ -92,7 +95,7 @@ public:
 
   /// What is known of an edge without an eye.
   ///
-  /// It is never a line when its faces, or those that stand in for them, lie exactly in one plane and look to
+  /// That of a copy is never a line. It is never a line when its faces, or those that stand in for them, lie exactly in one plane and look to
   /// the same side of it: every eye then sees both from the same side. Nor is it where one of them has no
   /// side. Of a face without area no edge but its borders is a line: what other lines there are its
   /// neighbours have, which store the normal from beyond it. Only between two such faces that have their
@@ -174,6 +177,7 @@ private:
   std::vector<std::uint32_t> borders;  ///< sides without a neighbour, rising
   std::vector<TurnedPair> turnedPairs; ///< each twice, rising by side
   std::vector<StandIn> standIns;       ///< rising by face
+  FacingBits copies; ///< of the geometry
   bool allHaveSides = true;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -219,29 +220,66 @@ Shown isCrease(const LocalTriangle& one, const LocalTriangle& other, double limi
                                            : Shown::Perhaps;
 }
 
+/// Where the triangles of an edge lie, seen from the eye.
+struct Balance
+{
+  std::ptrdiff_t sides = 0;
+  std::ptrdiff_t left = 0;
+  std::ptrdiff_t right = 0;
+
+  void add(int towards)
+  {
+    this->sides += 1;
+    this->left += towards > 0 ? 1 : 0;
+    this->right += towards < 0 ? 1 : 0;
+  }
+
+  Shown isOutline() const
+  {
+    const bool isBorder = this->sides == 1;
+    const bool isDoubtful = !isBorder && (this->left + this->right < this->sides ||
+                                          (this->left == this->right && this->left > 1));
+    return isDoubtful                              ? Shown::Perhaps
+           : isBorder || this->left != this->right ? Shown::Yes
+                                                   : Shown::No;
+  }
+};
+
 void EdgeJudge::judge(const std::vector<std::uint32_t>& numbers, const Side* first, const Side* last,
                       std::vector<OutlineEdge>& edges) const
 {
   const LocalTriangle one = this->turn(numbers, *first);
-  int left = 0;
-  int right = 0;
+  // Of triangles with the same third corner all but the first are copies.
+  std::vector<std::uint32_t> thirds;
+  const Side* second = nullptr;
+  Balance all;
+  Balance once;
   for (const Side* side = first; side < last; ++side)
   {
     const int towards = sideOfPlane(this->turn(numbers, *side), this->eye, this->rounding);
-    left += towards > 0 ? 1 : 0;
-    right += towards < 0 ? 1 : 0;
+    const std::uint32_t* v = &numbers[3 * side->triangle];
+    const std::uint32_t third = v[0] ^ v[1] ^ v[2] ^ side->low ^ side->high;
+    all.add(towards);
+    if (std::find(thirds.begin(), thirds.end(), third) == thirds.end())
+    {
+      thirds.push_back(third);
+      once.add(towards);
+      second = once.sides == 2 ? side : second;
+    }
   }
-  const bool isBorder = last - first == 1;
-  const bool isDoubtful = !isBorder && (left + right < last - first || (left == right && left > 1));
-  Shown shown = isDoubtful ? Shown::Perhaps : isBorder || left != right ? Shown::Yes : Shown::No;
-  OutlineEdge edge{one.a, one.b, {one.index, noNeighbour}, true, 0};
-  edge.inside = left > 0 && right > 0 ? 0 : left > 0 ? 1 : right > 0 ? -1 : 0;
-  if (last - first == 2)
+  Shown shown = once.isOutline();
+  if (once.sides > 2 && all.isOutline() != shown)
   {
-    edge.triangles[1] = first[1].triangle;
+    shown = Shown::Perhaps; // the copies may be a wall between solids, each of which has its own
+  }
+  OutlineEdge edge{one.a, one.b, {one.index, noNeighbour}, true, 0};
+  edge.inside = all.left > 0 && all.right > 0 ? 0 : all.left > 0 ? 1 : all.right > 0 ? -1 : 0;
+  if (once.sides == 2)
+  {
+    edge.triangles[1] = second->triangle;
     if (this->creaseDegrees)
     {
-      shown = std::max(shown, isCrease(one, this->turn(numbers, first[1]), *this->creaseDegrees));
+      shown = std::max(shown, isCrease(one, this->turn(numbers, *second), *this->creaseDegrees));
     }
   }
   if (shown != Shown::No)

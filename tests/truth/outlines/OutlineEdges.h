@@ -33,7 +33,9 @@ struct OutlineEdge
 /// silhouette when more of its triangles lie on one side of the plane through edge and eye than on the
 /// other, however they are wound: of two triangles both, and of three always, for one of them is left when
 /// the others have been paired. With two or more on each side it is uncertain, as it depends on which are
-/// paired. A border is shown from everywhere. Triangles with two equal corners, or with a coordinate that is
+/// paired. Triangles with the same three corners, however they are wound, count as one: a sheet
+/// stored front and back is one sheet. With more than two others there they may be a wall between solids, and
+/// what depends on that is uncertain. A border is shown from everywhere. Triangles with two equal corners, or with a coordinate that is
 /// not finite, are left out.
 ///
 /// @param creaseDegrees  the least angle between the normals of a crease's triangles; none: no creases

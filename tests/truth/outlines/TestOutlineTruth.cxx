@@ -152,6 +152,26 @@ TEST(OutlineTruth, OpenSheet_HasItsBorderAndNoDiagonal)
   expectRectangle(OutlineTruth(scene, lookingDown(size, half, 10.0)), glm::dvec2(5.0 * pixelsPerUnit));
 }
 
+TEST(OutlineTruth, SheetStoredTwice_IsTheSheetStoredOnce)
+{
+  for (const int copies : {1, 2})
+  {
+    for (const bool turned : {false, true})
+    {
+      Scene scene;
+      addFloor(scene, 5.0);
+      // All of it, and one half of it.
+      for (int triangle = 0; triangle < 2 * copies - 1; ++triangle)
+      {
+        const Triangle& one = scene.triangles[triangle % 2];
+        scene.triangles.push_back(turned ? makeTriangle(one.c, one.b, one.a)
+                                         : makeTriangle(one.b, one.c, one.a));
+      }
+      expectRectangle(OutlineTruth(scene, lookingDown(size, half, 10.0)), glm::dvec2(5.0 * pixelsPerUnit));
+    }
+  }
+}
+
 TEST(OutlineTruth, SheetUnderASheet_ShowsWhatSticksOut)
 {
   Scene scene;
