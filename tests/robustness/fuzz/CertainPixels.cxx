@@ -62,10 +62,10 @@ std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, 
 } // namespace
 
 CertainPixels::CertainPixels(const truth::Scene& scene, const truth::View& view,
-                             const truth::Light& theLight)
-    : caster(scene), truth(caster, view, theLight), rays(view, caster.originWC()),
-      triangles(makeTriangles(caster, scene)), light(caster.localLight(theLight)),
-      movedLights(moveLight(caster, scene, theLight)), known(truth.mask().size(), -1)
+                             const truth::Light& light)
+    : caster(scene), truth(caster, view, light), rays(view, caster.originWC()),
+      triangles(makeTriangles(caster, scene)),
+      movedLights(moveLight(caster, scene, light)), known(truth.mask().size(), -1)
 {
 }
 
@@ -108,61 +108,6 @@ bool CertainPixels::isInPlaneOfLight(const truth::Ray& ray) const
     }
   }
   return false;
-}
-
-bool CertainPixels::isPointLit(const glm::dvec3& point) const
-{
-  const glm::dvec3 direction = glm::dvec3(this->light.position) - this->light.position.w * point;
-  const double rounding = truth::vertexRounding(truth::largestCoordinate(point));
-  for (const truth::LocalTriangle& triangle : this->triangles)
-  {
-    if (truth::blocks(triangle, point, rounding, direction, this->light))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool CertainPixels::isLit(const truth::Ray& ray) const
-{
-  return this->isPointLit(ray.origin);
-}
-
-bool CertainPixels::isLitAtNearPlane(int x, int y) const
-{
-  const double off = truth::MaskTruth::certainOffset;
-  bool isLit = this->isLit(this->rays.through(x + 0.5, y + 0.5));
-  for (const double dx : {-off, off})
-  {
-    for (const double dy : {-off, off})
-    {
-      isLit = isLit && this->isLit(this->rays.through(x + 0.5 + dx, y + 0.5 + dy));
-    }
-  }
-  return isLit;
-}
-
-bool CertainPixels::isNearPlaneLit() const
-{
-  const glm::dvec4 eye = this->rays.eye();
-  if (eye.w != 0.0 && !this->isPointLit(glm::dvec3(eye)))
-  {
-    return false;
-  }
-  constexpr int cells = 16;
-  for (int j = 0; j <= cells; ++j)
-  {
-    for (int i = 0; i <= cells; ++i)
-    {
-      const double x = static_cast<double>(i) * this->getWidth() / cells;
-      if (!this->isLit(this->rays.through(x, static_cast<double>(j) * this->getHeight() / cells)))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 std::size_t CertainPixels::countCertain() const

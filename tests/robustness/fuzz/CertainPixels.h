@@ -34,27 +34,17 @@ public:
   /// Casts up to thirteen camera rays at the first question, then remembers.
   bool isCertain(int x, int y) const;
 
-  /// Whether the light reaches what is just beyond the near plane, there and 1/64 pixel off. Elsewhere z-pass
-  /// has no right answer.
-  bool isLitAtNearPlane(int x, int y) const;
-
-  /// Whether it does at a grid of points all over the near plane, and at the eye.
-  bool isNearPlaneLit() const;
-
   /// @par Cost  O(pixels) camera rays
   std::size_t countCertain() const;
 
 private:
   bool hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) const;
   bool isInPlaneOfLight(const truth::Ray& ray) const;
-  bool isLit(const truth::Ray& ray) const;
-  bool isPointLit(const glm::dvec3& point) const;
 
   truth::RayCaster caster;
   truth::MaskTruth truth;
   truth::PixelRays rays;
   std::vector<truth::LocalTriangle> triangles; ///< in the scene's order
-  truth::LocalLight light;
   std::vector<truth::LocalLight> movedLights; ///< the light itself, too
   mutable std::vector<signed char> known; ///< a pixel's certainty; -1 not asked yet
 };

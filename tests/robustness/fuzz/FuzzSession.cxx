@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "EveryMethod.h"
+#include "NearPlaneLight.h"
 
 namespace shadow::fuzz
 {
@@ -20,16 +21,18 @@ DrawnScene FuzzSession::draw(const FuzzScene& scene)
       configs.push_back(config);
     }
   }
-  for (const FuzzConfig& config : configs)
+  drawn.masks.push_back(this->window.draw(configs.front()));
+  const truth::Scene triangles = this->window.getTruthScene();
+  const truth::View view = this->window.getView();
+  const truth::Light light = this->window.getLight();
+  drawn.truth = std::make_unique<CertainPixels>(triangles, view, light);
+  const bool mayUseZPass =
+      isNearPlaneLit(triangles, truth::PixelRays(view, glm::dvec3(0.0)), scene.size, light);
+  for (auto config = configs.begin() + 1; config != configs.end(); ++config)
   {
-    if (config.stencil != vtkShadowVolumePass::STENCIL_ZPASS || drawn.truth->isNearPlaneLit())
+    if (config->stencil != vtkShadowVolumePass::STENCIL_ZPASS || mayUseZPass)
     {
-      drawn.masks.push_back(this->window.draw(config));
-    }
-    if (!drawn.truth)
-    {
-      drawn.truth = std::make_unique<CertainPixels>(this->window.getTruthScene(), this->window.getView(),
-                                                    this->window.getLight());
+      drawn.masks.push_back(this->window.draw(*config));
     }
   }
   return drawn;

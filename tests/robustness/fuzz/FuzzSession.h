@@ -21,7 +21,8 @@ struct DrawnScene
 class FuzzSession
 {
 public:
-  /// By Auto, by z-fail, and by the scene's configs, where z-pass is left out unless the near plane is lit.
+  /// By Auto, by z-fail, and by the scene's configs, where z-pass is left out when a shadow may
+  /// meet the near plane, see isNearPlaneLit().
   DrawnScene draw(const FuzzScene& scene);
 
   /// @param enough  see judgeMasks()

@@ -15,11 +15,6 @@ bool isReached(unsigned char value)
   return value >= 128;
 }
 
-bool isAsked(const CertainPixels& truth, const DrawnMask& drawn, int x, int y)
-{
-  return drawn.config.stencil != vtkShadowVolumePass::STENCIL_ZPASS || truth.isLitAtNearPlane(x, y);
-}
-
 /// Adds one pixel to the verdict when it is certain.
 void judgePixel(const CertainPixels& truth, const std::vector<DrawnMask>& masks, int x, int y,
                 SceneVerdict& verdict)
@@ -32,15 +27,9 @@ void judgePixel(const CertainPixels& truth, const std::vector<DrawnMask>& masks,
   {
     return;
   }
-  std::size_t asked = 0;
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < masks.size(); ++i)
   {
-    if (!isAsked(truth, masks[i], x, y))
-    {
-      continue;
-    }
-    ++asked;
     if (isReached(masks[i].mask[pixel]) != right)
     {
       ++wrong;
@@ -49,7 +38,7 @@ void judgePixel(const CertainPixels& truth, const std::vector<DrawnMask>& masks,
       ++mask.wrong;
     }
   }
-  verdict.differing += wrong > 0 && wrong < asked ? 1 : 0;
+  verdict.differing += wrong > 0 && wrong < masks.size() ? 1 : 0;
 }
 
 } // namespace

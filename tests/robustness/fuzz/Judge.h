@@ -49,8 +49,7 @@ struct SceneVerdict
 /// 20 in a million, but at least 3.
 std::size_t getWrongPixelLimit(std::size_t certainPixels);
 
-/// Holds masks of a scene against the truth and against each other. A z-pass mask is not asked where the near
-/// plane is in a shadow.
+/// Holds masks of a scene against the truth and against each other.
 ///
 /// @param masks   of the truth's size
 /// @param enough  ends the search as soon as a mask has more wrong pixels than this
