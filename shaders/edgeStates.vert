@@ -9,6 +9,7 @@
 //                              between them
 // in   edgeVertices  uvec4  from, to, the third corners of the triangles that run so and back (or noTriangle)
 // Source: Brabec & Seidel 2003, "Shadow Volumes on Programmable Graphics Hardware"
+#include "precise.glsl"
 #include "facingSource.glsl"
 #include "edgeSilhouette.glsl"
 uniform uint closedLights;

@@ -1,10 +1,12 @@
 //VTK::System::Dec
 // extrude.vert - pre-pass and volume stage. Drawn by nodes/drawable/surfaces/SEDGeometryDrawable and ShadowVolumeDrawable.
-// in   vertexMC       vec4   w = 1 near copy, w = 0 far copy of a vertex; relative to the geometry's origin
+// in   vertexMC       vec4   w = 1 near copy, w = 0 far copy of a vertex, relative to the geometry's origin; w = -1 direction of
+//                            a ray from the light to the far end
 // in   reachableBits  uvec2  pre-pass: of the triangle that this vertex is the last of; see prepass.frag
+#include "precise.glsl"
 #include "extrusion.glsl"
 in vec4 vertexMC;
-#ifdef SHADOW_PARALLEL
+#if defined(SHADOW_PARALLEL) && !defined(SHADOW_VOLUME)
 out float nearDistance;
 #endif
 #ifdef SHADOW_PREPASS
@@ -15,12 +17,16 @@ invariant gl_Position;
 
 void main()
 {
-  vec4 positionMC = copyOf(vertexMC.xyz, vertexMC.w == 0.0);
+  vec4 positionMC = vertexMC.w < 0.0 ? endOf(lightMC, vertexMC.xyz) : copyOf(vertexMC.xyz, vertexMC.w == 0.0);
 #ifdef SHADOW_PREPASS
   sideBits = reachableBits;
 #endif
 #ifdef SHADOW_PARALLEL
-  nearDistance = dot(nearFromMC, positionMC);
+#ifdef SHADOW_VOLUME
+  gl_ClipDistance[0] = beyondNear(positionMC);
+#else
+  nearDistance = beyondNear(positionMC);
+#endif
 #endif
   gl_Position = toClip(positionMC);
 }

@@ -4,6 +4,7 @@
 // unif triangleCount  int
 // unif facingImage    uimage2DArray  texel t: see facingBitsOf()
 // unif imageLayer     ivec2          see texelArray.glsl
+#include "precise.glsl"
 #include "facingSource.glsl"
 layout(local_size_x = 64) in;
 #include "workItem.glsl"

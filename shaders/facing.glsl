@@ -6,15 +6,9 @@
 // without may simplify them; the sign is then right as far as single precision goes (measured: for lights farther than
 // 5e-8 of their distance from the plane; with exact steps 7e-15), and still the same for all who read it in one place.
 // Stages that evaluate the same triangle must hand over its corners in the same order: they then agree bit for bit.
+// Stages include precise.glsl before it.
 // Source: Dekker 1971, "A Floating-Point Technique for Extending the Available Precision" (products);
 //         Knuth, "The Art of Computer Programming", volume 2, 4.2.2 (sums)
-#extension GL_ARB_gpu_shader5 : enable
-#if __VERSION__ >= 400 || defined(GL_ARB_gpu_shader5)
-#define SHADOW_PRECISE precise
-#else
-#define SHADOW_PRECISE
-#endif
-
 struct SplitVector
 {
   vec3 high;
@@ -26,9 +20,8 @@ struct FacingPlane
 {
   SplitVector corner; // the first
   SplitVector normal; // cross product of the edges from there, neither oriented nor normalised
-  vec3 toSecond;      // those edges, rounded
-  vec3 toThird;
-  float touching; // a light not farther from a corner, in each coordinate, is at the corner
+  SplitVector toSecond; // those edges
+  SplitVector toThird;
 };
 
 // a + b, exactly.
@@ -93,19 +86,18 @@ SplitVector turnTwice(SplitVector a)
   return SplitVector(a.high.zxy, a.low.zxy);
 }
 
-float largest(vec3 a)
-{
-  return max(max(abs(a.x), abs(a.y)), abs(a.z));
-}
-
 FacingPlane makeFacingPlane(SplitVector a, SplitVector b, SplitVector c)
 {
   SplitVector u = add(b, negate(a));
   SplitVector v = add(c, negate(a));
   SplitVector normal = add(multiply(turnOnce(u), turnTwice(v)), negate(multiply(turnTwice(u), turnOnce(v))));
-  // A light that single precision cannot tell from a corner, seen from the triangle, leaves the corner without a
-  // direction to be extruded in.
-  return FacingPlane(a, normal, u.high, v.high, 1.2e-7 * max(largest(u.high), largest(v.high)));
+  return FacingPlane(a, normal, u, v);
+}
+
+// Sums are normalised, so that equal ones have equal parts.
+bool isSame(SplitVector a, SplitVector b)
+{
+  return a.high == b.high && a.low == b.low;
 }
 
 // 1: the light sees the corners counter-clockwise; -1: clockwise; 0: it is in their plane, or a point light is at one
@@ -116,6 +108,9 @@ float facingOf(FacingPlane plane, SplitVector position, float w)
   SplitVector arm = add(position, SplitVector(-w * plane.corner.high, -w * plane.corner.low));
   SplitVector products = multiply(plane.normal, arm);
   float height = add(add(products, turnOnce(products)), turnTwice(products)).high.x;
-  float nearest = min(largest(arm.high), min(largest(arm.high - w * plane.toSecond), largest(arm.high - w * plane.toThird)));
-  return nearest <= w * plane.touching ? 0.0 : sign(height);
+  SplitVector second = SplitVector(w * plane.toSecond.high, w * plane.toSecond.low);
+  SplitVector third = SplitVector(w * plane.toThird.high, w * plane.toThird.low);
+  // At a corner the height is zero, and what is computed may not be.
+  bool atCorner = arm.high == vec3(0.0) || isSame(arm, second) || isSame(arm, third);
+  return atCorner ? 0.0 : sign(height);
 }

@@ -11,6 +11,7 @@
 // unif layerSize      ivec2   width and height of a layer of the texture
 // out  facing         uvec2   x: bits of the lights in front of the oriented triangle, y: behind it
 // Source: Shi 2006, chapter 3.3 (improved method)
+#include "precise.glsl"
 #include "facing.glsl"
 #include "texelArray.glsl"
 in vec3 cornerAHigh;

@@ -4,7 +4,6 @@
 // unif facingTexels   usampler2DArray
 // unif facingLayer    ivec2   see texelArray.glsl
 // unif firstTriangle  int     texel of the geometry's first triangle
-// (facing.glsl comes first: it asks for an extension)
 // else evaluated from the corners in the tables of the geometry, for as many lights as are asked about
 // unif facingScale    float   from positions to what lights are given in: GeometryTexels::getFrame()
 // unif lightCount     int

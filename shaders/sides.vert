@@ -5,6 +5,7 @@
 // unif apexMC        vec3   whose far copy is the apex
 // out  multiplicity  float  see volume.frag
 // Source: McGuire & Hughes 2004, "Hardware-Determined Feature Edges"; Wallner 2006
+#include "precise.glsl"
 #include "silhouetteSource.glsl"
 #include "extrusion.glsl"
 uniform vec3 apexMC;
@@ -20,10 +21,17 @@ void main()
   if (times == 0)
   {
     gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
+#ifdef SHADOW_PARALLEL
+    gl_ClipDistance[0] = 0.0;
+#endif
     return;
   }
   uvec4 ends = edgeAt(edge);
   bool atFrom = corner == 1 || corner == 2;
   vec3 vertexMC = corner == 4 ? apexMC : positionOf(atFrom == (times > 0) ? ends.x : ends.y);
-  gl_Position = toClip(copyOf(vertexMC, corner >= 2));
+  vec4 positionMC = copyOf(vertexMC, corner >= 2);
+#ifdef SHADOW_PARALLEL
+  gl_ClipDistance[0] = beyondNear(positionMC);
+#endif
+  gl_Position = toClip(positionMC);
 }

@@ -8,6 +8,7 @@
 //                                   + 1 if it is run through backwards
 // unif imageLayer    ivec2          see texelArray.glsl
 // buf  commands      uint[]         ten a list: what glDrawElementsIndirect() takes for quads, then for fans
+#include "precise.glsl"
 #define SHADOW_FACING_TEXTURE
 #include "facingSource.glsl"
 #include "edgeSilhouette.glsl"

@@ -15,6 +15,7 @@
 #define sideBits sideBitsOfCorner
 #define nearDistance nearDistanceOfCorner
 #endif
+#include "precise.glsl"
 #include "facingSource.glsl"
 #include "extrusion.glsl"
 in vec3 vertexMC;
@@ -28,7 +29,7 @@ flat out float multiplicity;
 uniform uint otherLights;
 flat out uvec2 sideBits;
 #endif
-#ifdef SHADOW_PARALLEL
+#if defined(SHADOW_PARALLEL) && !defined(SHADOW_CAP)
 out float nearDistance;
 #endif
 invariant gl_Position;
@@ -63,7 +64,11 @@ void main()
   sideBits = (reversed ? bits.yx : bits) | otherLights;
 #endif
 #ifdef SHADOW_PARALLEL
-  nearDistance = dot(nearFromMC, positionMC);
+#ifdef SHADOW_CAP
+  gl_ClipDistance[0] = beyondNear(positionMC);
+#else
+  nearDistance = beyondNear(positionMC);
+#endif
 #endif
   gl_Position = toClip(positionMC);
 }

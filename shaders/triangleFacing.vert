@@ -3,6 +3,7 @@
 // nodes/drawable/silhouettes/VertexTexture through TexelPainter: each triangle is a point, gl_VertexID its number.
 // unif layerSize  ivec2  width and height of a layer of the texture
 // out  texel      uvec4  see facingBitsOf()
+#include "precise.glsl"
 #include "facingSource.glsl"
 uniform ivec2 layerSize;
 flat out uvec4 texel;

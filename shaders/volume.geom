@@ -4,7 +4,7 @@
 // Corners 0, 2 and 4 are a triangle as it is oriented. 1, 3 and 5 complete its neighbours across the edges from the corner
 // before to the corner after; a border has the corner before in place of a neighbour's.
 // Emits at most 24 vertices of 5 components, far below what every GL takes (256 and 1024).
-// in   vertexMC, farPosition  see adjacency.vert
+// in   vertexMC, farPosition, beyondNearOfCopies  see adjacency.vert
 // unif light            int   Light::index
 // unif lightFacingOnly  int   1: Casting::LightFacing
 // unif sideBias         vec2  as depthBias in extrusion.glsl, for sides
@@ -15,6 +15,7 @@
 // unif apexMC           vec3  whose far copy is the fan's apex
 // out  multiplicity     float see volume.frag
 // Source: Zerari & Babahenini 2011, "Shadow Volume in Real-Time Rendering"; open meshes and caps are ours
+#include "precise.glsl"
 #include "facingSource.glsl"
 #include "extrusion.glsl"
 layout(triangles_adjacency) in;
@@ -25,6 +26,9 @@ layout(triangle_strip, max_vertices = 12) out;
 #endif
 in vec3 vertexMC[];
 in vec4 farPosition[];
+#ifdef SHADOW_PARALLEL
+in vec2 beyondNearOfCopies[];
+#endif
 uniform int light;
 uniform int lightFacingOnly;
 uniform vec2 sideBias;
@@ -73,18 +77,58 @@ int castingOf(ivec3 corners)
   return castingSign(bits, light, lightFacingOnly == 1);
 }
 
-void emit(vec4 position, float times)
+// A vertex of the volume, in clip space.
+struct Copy
 {
-  gl_Position = position;
+  vec4 position;
+  float nearDistance; // parallel views only, see beyondNear()
+};
+
+Copy nearCopy(int corner)
+{
+#ifdef SHADOW_PARALLEL
+  return Copy(gl_in[corner].gl_Position, beyondNearOfCopies[corner].x);
+#else
+  return Copy(gl_in[corner].gl_Position, 0.0);
+#endif
+}
+
+Copy farCopy(int corner)
+{
+#ifdef SHADOW_PARALLEL
+  return Copy(farPosition[corner], beyondNearOfCopies[corner].y);
+#else
+  return Copy(farPosition[corner], 0.0);
+#endif
+}
+
+void emit(Copy copy, float times)
+{
+  gl_Position = copy.position;
+#ifdef SHADOW_PARALLEL
+  gl_ClipDistance[0] = copy.nearDistance;
+#endif
   multiplicity = times;
   EmitVertex();
 }
 
-void emitSide(vec4 position, float times)
+void emitSide(Copy copy, float times)
 {
-  position.z = position.z * sideBias.x + position.w * sideBias.y;
-  emit(position, times);
+  copy.position.z = copy.position.z * sideBias.x + copy.position.w * sideBias.y;
+  emit(copy, times);
 }
+
+#ifdef SHADOW_CAPS
+Copy farApex()
+{
+  vec4 positionMC = copyOf(apexMC, true);
+#ifdef SHADOW_PARALLEL
+  return Copy(toClip(positionMC), beyondNear(positionMC));
+#else
+  return Copy(toClip(positionMC), 0.0);
+#endif
+}
+#endif
 
 // The side that hangs from an edge of the silhouette. Of the edge's two triangles the one that casts as it is oriented draws
 // it, or else the one that casts at all: it is drawn once.
@@ -99,17 +143,17 @@ void drawSide(int from, int to, int own, int other)
   int first = own > 0 ? from : to;
   int second = own > 0 ? to : from;
   float times = abs(float(own - other));
-  emitSide(gl_in[first].gl_Position, times);
-  emitSide(farPosition[first], times);
-  emitSide(gl_in[second].gl_Position, times);
-  emitSide(farPosition[second], times);
+  emitSide(nearCopy(first), times);
+  emitSide(farCopy(first), times);
+  emitSide(nearCopy(second), times);
+  emitSide(farCopy(second), times);
   EndPrimitive();
 #ifdef SHADOW_CAPS
   if (darkFan == 1)
   {
-    emitSide(toClip(copyOf(apexMC, true)), times);
-    emitSide(farPosition[second], times);
-    emitSide(farPosition[first], times);
+    emitSide(farApex(), times);
+    emitSide(farCopy(second), times);
+    emitSide(farCopy(first), times);
     EndPrimitive();
   }
 #endif
@@ -124,9 +168,9 @@ void drawCaps(int casts)
   if (lightCap == 1 && casts != 0)
   {
     float times = winding * float(casts);
-    emit(gl_in[corners.x].gl_Position, times);
-    emit(gl_in[corners.y].gl_Position, times);
-    emit(gl_in[corners.z].gl_Position, times);
+    emit(nearCopy(corners.x), times);
+    emit(nearCopy(corners.y), times);
+    emit(nearCopy(corners.z), times);
     EndPrimitive();
   }
   // The averted triangles of a closed mesh have the border of the others, the other way round.
@@ -136,9 +180,9 @@ void drawCaps(int casts)
     // The middle corner first: rasterisers derive depth from the two edges at the first corner, and in the products of short
     // edges less is lost; a sliver would else be without depth. No surface lies there that would ask for raster order.
     float times = winding * float(turned);
-    emit(farPosition[corners.y], times);
-    emit(farPosition[corners.z], times);
-    emit(farPosition[corners.x], times);
+    emit(farCopy(corners.y), times);
+    emit(farCopy(corners.z), times);
+    emit(farCopy(corners.x), times);
     EndPrimitive();
   }
 }

@@ -173,7 +173,8 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners,
   const bool zPass =
       this->method == StencilMethod::ZPass || (this->method == StencilMethod::Auto && nearIsLit);
   result.count = zPass ? StencilCount::ZPass : StencilCount::ZFail;
-  result.farPlaneWC = this->chooseFarPlane(light, corners, result.count);
+  const std::optional<glm::dvec4> sceneEnd = this->chooseSceneEnd(light, corners, result.count);
+  result.farPlaneWC = sceneEnd.value_or(result.farPlaneWC);
   if (zPass)
   {
     // A cap lies on the caster's own surface, so it is in front of what is seen only where that surface is
@@ -183,9 +184,13 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners,
   }
   const bool explicitZFail = this->method == StencilMethod::ZFail;
   result.lightCap = explicitZFail || inView;
+  if (!sceneEnd && this->view.parallel)
+  {
+    result.farPlaneWC = this->endOfParallelView(light);
+  }
   if (light.positionWC.w != 0.0 || !result.isFarAtInfinity())
   {
-    const bool fan = !result.isFarAtInfinity() || lightOutsideBoundingSphere(light, corners);
+    const bool fan = sceneEnd || lightOutsideBoundingSphere(light, corners);
     result.darkCap = !explicitZFail && fan ? DarkCap::Fan : DarkCap::Triangles;
   }
   return result;
@@ -212,12 +217,12 @@ bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& 
 }
 
 // A side of the scene's bounding box that all the caster's shadow runs into: what lies behind it receives
-// nothing, so the volume can end there and covers far fewer pixels than one that goes on for ever. The plane
-// at infinity if there is none.
-glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const BoxCorners& corners,
-                                        StencilCount count) const
+// nothing, so the volume can end there and covers far fewer pixels than one that goes on for ever. Nothing if
+// there is none.
+std::optional<glm::dvec4> CasterCuller::chooseSceneEnd(const Light& light, const BoxCorners& corners,
+                                                       StencilCount count) const
 {
-  glm::dvec4 best(0.0, 0.0, 0.0, 1.0);
+  std::optional<glm::dvec4> best;
   double shortest = std::numeric_limits<double>::max();
   for (const glm::dvec4& plane : this->scenePlanes)
   {
@@ -248,6 +253,18 @@ glm::dvec4 CasterCuller::chooseFarPlane(const Light& light, const BoxCorners& co
     }
   }
   return best;
+}
+
+// All rays of a parallel view end at one point at infinity, and no cap that a rasteriser could draw lies there.
+// So volumes end behind all that is seen, and behind the light, across the view: a cap there is what of that
+// plane lies in the shadow. Rays that never meet it go on to infinity, see endOf() in shaders/extrusion.glsl.
+glm::dvec4 CasterCuller::endOfParallelView(const Light& light) const
+{
+  const double lightDepth =
+      light.positionWC.w != 0.0 ? glm::dot(this->view.viewDepth, light.positionWC) : this->sceneBounds.farthest;
+  const double depth = std::max(this->sceneBounds.farthest, lightDepth) +
+                       1e-2 * std::max(this->sceneBounds.farthest - this->sceneBounds.nearest, 1e-300);
+  return glm::dvec4(0.0, 0.0, 0.0, depth) - this->view.viewDepth;
 }
 
 } // namespace shadow

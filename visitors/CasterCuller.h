@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -58,7 +59,9 @@ public:
 private:
   CasterPlan plan(std::size_t lightPlace, const BoxCorners& corners, bool inView) const;
   bool nothingBehind(const SEDGeometry& geometry, const glm::dmat4& wcFromModel, const Light& light) const;
-  glm::dvec4 chooseFarPlane(const Light& light, const BoxCorners& corners, StencilCount count) const;
+  std::optional<glm::dvec4> chooseSceneEnd(const Light& light, const BoxCorners& corners,
+                                           StencilCount count) const;
+  glm::dvec4 endOfParallelView(const Light& light) const;
 
   const View& view;
   const std::vector<Light>& lights;

@@ -48,7 +48,7 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
 {
   const glm::dmat4 wcFromMC = worldFromRelative(geode.getGeometry(), this->getModelToWorld());
   const bool mirrored = this->setMatrices(wcFromMC);
-  setUniform(this->pass.program, "lightMC", light.lightMC);
+  setLight(this->pass.program, light.lightMC);
   setUniform(this->pass.program, "farPlaneMC", farPlaneToModel(light.plan.farPlaneWC, wcFromMC));
   SEDGeometryDrawable& geometry = this->pass.drawables->getGeometry(geode.getSharedGeometry());
   for (std::size_t part = 0; part < light.volumes.size(); ++part)
@@ -60,8 +60,9 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
     }
     this->pass.makeRoom(volume.overlapBound);
     const FaceCounter counter(
-        {this->pass.state, this->pass.program, this->pass.countBuffer, this->pass.reversedDepth}, count,
-        mirrored);
+        {this->pass.state, this->pass.program, this->pass.countBuffer, this->pass.reversedDepth,
+         startsAtNear(*this->pass.view, count)},
+        count, mirrored);
     ShadowVolumeDrawable& drawable = this->pass.drawables->getVolume(light, part);
     drawable.draw(counter, geometry.getVolumeVertexBuffer());
     this->counts.sides += volume.getSideCount();

@@ -39,7 +39,11 @@ void GPUSilhouetteVisitor::prepare(SEDGeode& geode, PathState& path)
       state = {};
       continue;
     }
-    state.extruded = state.extruded && state.lightMC == *lightMC;
+    if (state.lightMC != *lightMC)
+    {
+      state.extruded = false;
+      state.hasCloseTriangles.reset();
+    }
     state.lightMC = *lightMC;
     this->facedAnew = this->facedAnew || !state.faced;
     state.faced = true;
@@ -73,6 +77,10 @@ void GPUSilhouetteVisitor::draw(const SEDGeode& geode, const PathState& path)
       state->second.plan.count != geode.renderMode.count)
   {
     return;
+  }
+  if (state->second.extruded)
+  {
+    return; // the CloseTriangleVisitor has made volumes
   }
   const CasterPlan& plan = state->second.plan;
   const auto light =

@@ -93,7 +93,8 @@ void SEDVisitor::apply(SEDGeode& geode)
     }
     if (wanted && !upToDate)
     {
-      this->refreshVolume(geode.getGeometry(), state);
+      extrudeForPlan(geode.getGeometry(), this->finder, this->countable, state);
+      ++this->rebuiltVolumes;
     }
   }
 }
@@ -128,6 +129,7 @@ void SEDVisitor::face(SEDGeode& geode, PathState& path)
     if (!state.faced || state.lightMC != *lightMC)
     {
       state.lightMC = *lightMC;
+      state.hasCloseTriangles.reset();
       this->finder.face(geometry, *lightMC, state.facing);
       state.faced = true;
       state.extruded = false;
@@ -144,20 +146,20 @@ void SEDVisitor::face(SEDGeode& geode, PathState& path)
   }
 }
 
-void SEDVisitor::refreshVolume(const SEDGeometry& geometry, PathLightState& state)
+void extrudeForPlan(const SEDGeometry& geometry, const SilhouetteFinder& finder, std::size_t countable,
+                    PathLightState& state)
 {
   ShadowVolumeOptions options;
   options.lightCap = state.plan.lightCap;
   options.darkCap = state.plan.darkCap;
   options.farAtInfinity = state.plan.isFarAtInfinity();
-  options.countable = this->countable;
-  state.volumes = makeCountableVolumes(geometry, this->finder, state.facing, state.lightMC, options);
+  options.countable = countable;
+  state.volumes = makeCountableVolumes(geometry, finder, state.facing, state.lightMC, options);
   state.extruded = true;
   state.extrudedPlan = state.plan;
-  state.extrudedCountable = this->countable;
-  state.finderId = this->finder.getId();
+  state.extrudedCountable = countable;
+  state.finderId = finder.getId();
   state.revision = nextRevision();
-  ++this->rebuiltVolumes;
 }
 
 } // namespace shadow

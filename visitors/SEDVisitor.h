@@ -46,7 +46,6 @@ public:
 
 private:
   void face(SEDGeode& geode, PathState& path);
-  void refreshVolume(const SEDGeometry& geometry, PathLightState& state);
 
   Stage stage;
   const std::vector<Light>& lights;
@@ -55,5 +54,11 @@ private:
   int rebuiltVolumes = 0;
   std::map<SilhouetteMethod, int> usedMethods;
 };
+
+/// The volumes of one path and light, for the plan that the CasterCuller has left.
+/// @pre  state.facing is that of state.lightMC
+/// @param countable  see ShadowVolumeOptions
+void extrudeForPlan(const SEDGeometry& geometry, const SilhouetteFinder& finder, std::size_t countable,
+                    PathLightState& state);
 
 } // namespace shadow

@@ -117,6 +117,8 @@ protected:
   /// Volumes from the facing that every SEDGeode has.
   void extrude(const Frame& frame, const SilhouetteFinder& silhouetteFinder);
 
+  DrawVisitor::Pass makeDrawPass(vtkShaderProgram* program, const Frame& frame);
+
   /// The view's clip matrix with this frame's depth range.
   glm::dmat4 getClipFromWC(const View& view) const { return shadowClipFromWC(view, this->depthRange); }
 
@@ -128,7 +130,6 @@ protected:
 private:
   void cull(const Frame& frame);
   void chooseFinder(const Settings& settings);
-  DrawVisitor::Pass makeDrawPass(vtkShaderProgram* program, const Frame& frame);
   bool drawStages(const Frame& frame, std::string& error);
   bool drawPrePass(const Frame& frame, std::string& error);
   void markBacks(const Frame& frame);

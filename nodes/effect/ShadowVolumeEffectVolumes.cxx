@@ -19,23 +19,24 @@ class CountedFolds
 {
 public:
   CountedFolds(ShadowTarget& shadowTarget, vtkOpenGLRenderWindow* window, CountBuffer countBuffer,
-               bool reversed, bool parallelView, int lightIndex)
+               bool reversed, int lightIndex)
       : target(shadowTarget), state(window->GetState()), programs(window), buffer(countBuffer),
-        reversedDepth(reversed), parallel(parallelView), light(lightIndex)
+        reversedDepth(reversed), light(lightIndex)
   {
   }
 
   /// Has the buffer count from zero, unless it is counting.
+  /// @param fromNear  see ShadowPrograms::use()
   /// @return the program to draw volumes with; nullptr when it does not compile
-  vtkShaderProgram* open()
+  vtkShaderProgram* open(bool fromNear)
   {
+    this->program = this->programs.use(this->buffer == CountBuffer::Stencil ? ShadowPrograms::VolumeInStencil
+                                                                            : ShadowPrograms::VolumeInColor,
+                                       fromNear);
+    this->startedAtNear = fromNear;
+    this->usable = this->usable && this->program != nullptr;
     if (!this->counting)
     {
-      this->program =
-          this->programs.use(this->buffer == CountBuffer::Stencil ? ShadowPrograms::VolumeInStencil
-                                                                  : ShadowPrograms::VolumeInColor,
-                             this->parallel);
-      this->usable = this->usable && this->program != nullptr;
       this->target.beginCount(this->state);
       this->counting = true;
     }
@@ -49,7 +50,7 @@ public:
     if (this->counted + bound > mostCountableIn(this->buffer) && this->counted > 0)
     {
       this->fold();
-      this->open();
+      this->open(this->startedAtNear);
     }
     // What was drawn has to be folded, whatever its bound.
     this->counted += std::max<std::size_t>(bound, 1);
@@ -79,11 +80,11 @@ private:
   ShadowPrograms programs;
   CountBuffer buffer;
   bool reversedDepth;
-  bool parallel;
   int light;
   vtkShaderProgram* program = nullptr;
   std::size_t counted = 0;
   bool counting = false;
+  bool startedAtNear = false;
   bool usable = true;
 };
 
@@ -92,12 +93,12 @@ private:
 bool ShadowVolumeEffect::drawVolumes(const Frame& frame, const Light& light, std::string& error)
 {
   CountedFolds folds(this->target, frame.window, this->countBuffer, this->depthRange.reversed,
-                     frame.view.parallel, light.index);
+                     light.index);
   for (const StencilCount count : {StencilCount::ZPass, StencilCount::ZFail})
   {
     SVStateVisitor volumeMode(RenderMode{RenderMode::What::Volume, light.index, count});
     this->accept(volumeMode);
-    vtkShaderProgram* program = folds.open();
+    vtkShaderProgram* program = folds.open(startsAtNear(frame.view, count));
     if (program == nullptr)
     {
       break;

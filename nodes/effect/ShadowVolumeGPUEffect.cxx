@@ -4,6 +4,7 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include "CloseTriangleVisitor.h"
 #include "ComputeSilhouette.h"
 #include "EdgeQuadSilhouette.h"
 #include "FacingTexture.h"
@@ -133,6 +134,12 @@ bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& err
   {
     this->extrude(frame, this->edgeClassifier);
   }
+  else
+  {
+    CloseTriangleVisitor close(frame.lights, this->edgeClassifier, mostCountableIn(CountBuffer::Color));
+    this->accept(close);
+    this->hasCloseTriangles = close.hasVolumes();
+  }
   filled.usedMethods = {{this->name, filled.casters}};
   return true;
 }
@@ -156,11 +163,12 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
     this->changeStatistics().capTriangles += draw.getCounts().caps;
     counted = counted || draw.hasDrawn();
     error = draw.getError();
-    if (!error.empty())
+    if (!error.empty() || !this->drawCloseVolumes(frame, count, error))
     {
       return false;
     }
   }
+  counted = counted || this->hasCloseTriangles;
   ShadowPrograms programs(frame.window);
   if (counted && !this->getTarget().foldCount(frame.window->GetState(), programs, light.index,
                                               this->getDepthRange().reversed))
@@ -168,6 +176,28 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
     error = "the shader that folds counts into the mask does not compile on this GL";
     return false;
   }
+  return true;
+}
+
+bool ShadowVolumeGPUEffect::drawCloseVolumes(const Frame& frame, StencilCount count, std::string& error)
+{
+  if (!this->hasCloseTriangles)
+  {
+    return true;
+  }
+  vtkShaderProgram* program =
+      ShadowPrograms(frame.window).use(this->method->getVolumeStage(), startsAtNear(frame.view, count));
+  if (program == nullptr)
+  {
+    error = unusableShader;
+    return false;
+  }
+  DrawVisitor::Pass pass = this->makeDrawPass(program, frame);
+  pass.makeRoom = [](std::size_t /*bound*/) {}; // colour counts further than there are triangles
+  DrawVisitor draw(pass);
+  this->accept(draw);
+  this->changeStatistics().sideTriangles += draw.getCounts().sides;
+  this->changeStatistics().capTriangles += draw.getCounts().caps;
   return true;
 }
 

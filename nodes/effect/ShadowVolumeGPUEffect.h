@@ -24,7 +24,7 @@ class FacingTexture;
 /// 4. for each light: volumes counted
 ///
 /// Methods that keep everything on the GPU count in colour, since nothing there bounds how often a ray enters
-/// a volume.
+/// a volume. Volumes of triangles that a light is very close to come from the CPU with every method.
 ///
 /// @par Source  Shi 2006, chapter 4.3
 class ShadowVolumeGPUEffect : public ShadowVolumeEffect
@@ -45,12 +45,15 @@ protected:
   CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const override;
 
 private:
+  bool drawCloseVolumes(const Frame& frame, StencilCount count, std::string& error);
+
   SilhouetteMethod name;
   std::unique_ptr<GPUSilhouette> method;
   FacingTexture* readBack = nullptr;   ///< the method, when the CPU classifies the edges
   BruteForceSilhouette edgeClassifier; ///< for readBack
   VETCollector collector;
   std::vector<Light> lightsBefore; ///< of the frame before
+  bool hasCloseTriangles = false;  ///< of the coming frame; see CloseTriangleVisitor
   bool reading = false;            ///< the coming frame's facing is being read back
 };
 

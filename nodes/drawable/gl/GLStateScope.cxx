@@ -38,6 +38,7 @@ GLStateScope::GLStateScope(vtkOpenGLState* vtkState, bool hasClipControl)
       frontFace(getInteger(GL_FRONT_FACE)), provokingVertex(getInteger(GL_PROVOKING_VERTEX)),
       logicOpMode(getInteger(GL_LOGIC_OP_MODE)), stencilClear(getInteger(GL_STENCIL_CLEAR_VALUE)),
       logicOp(glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE), depthClamp(glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE),
+      clipDistance(glIsEnabled(GL_CLIP_DISTANCE0) == GL_TRUE),
       polygonOffset(glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE), clipControl(hasClipControl)
 {
   glGetIntegerv(GL_POLYGON_MODE, this->polygonMode);
@@ -48,6 +49,8 @@ GLStateScope::GLStateScope(vtkOpenGLState* vtkState, bool hasClipControl)
     this->clipOrigin = getInteger(GL_CLIP_ORIGIN);
     this->clipDepth = getInteger(GL_CLIP_DEPTH_MODE);
   }
+  // Who draws volumes of a parallel view switches it on; no other stage writes distances.
+  glDisable(GL_CLIP_DISTANCE0);
   vtkState->PushFramebufferBindings();
 }
 
@@ -57,6 +60,7 @@ GLStateScope::~GLStateScope()
   glBindVertexArray(0);
   setEnabled(GL_COLOR_LOGIC_OP, this->logicOp);
   setEnabled(GL_DEPTH_CLAMP, this->depthClamp);
+  setEnabled(GL_CLIP_DISTANCE0, this->clipDistance);
   setEnabled(GL_POLYGON_OFFSET_FILL, this->polygonOffset);
   glLogicOp(static_cast<GLenum>(this->logicOpMode));
   glClearStencil(this->stencilClear);

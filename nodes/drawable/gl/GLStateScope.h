@@ -54,6 +54,7 @@ private:
   int polygonMode[2] = {0, 0};
   bool logicOp = false;
   bool depthClamp = false;
+  bool clipDistance = false; ///< the first one
   bool polygonOffset = false;
   bool clipControl = false;
   int clipOrigin = 0;

@@ -70,12 +70,12 @@ void GPUSilhouette::bindCorners(unsigned int program, const Surface& surface,
 }
 
 vtkShaderProgram* GPUSilhouette::useTables(ShadowPrograms::Stage stage, const Surface& surface,
-                                           const std::string& switches)
+                                           const std::string& switches, bool fromNear)
 {
-  vtkShaderProgram*& known = this->programs[{stage, switches}];
+  vtkShaderProgram*& known = this->programs[{stage, fromNear, switches}];
   vtkShaderProgram* program =
       known != nullptr ? this->frame.window->GetShaderCache()->ReadyShaderProgram(known)
-                       : ShadowPrograms(this->frame.window).use(stage, this->frame.view->parallel, switches);
+                       : ShadowPrograms(this->frame.window).use(stage, fromNear, switches);
   known = program;
   if (program != nullptr)
   {
@@ -86,10 +86,12 @@ vtkShaderProgram* GPUSilhouette::useTables(ShadowPrograms::Stage stage, const Su
 }
 
 vtkShaderProgram* GPUSilhouette::use(ShadowPrograms::Stage stage, const Surface& surface,
-                                     const std::vector<Light>& lights, const std::string& switches)
+                                     const std::vector<Light>& lights, const std::string& switches,
+                                     bool fromNear)
 {
   const View& view = *this->frame.view;
-  vtkShaderProgram* program = this->useTables(stage, surface, this->getFacingSwitches() + switches);
+  vtkShaderProgram* program =
+      this->useTables(stage, surface, this->getFacingSwitches() + switches, fromNear);
   if (program == nullptr)
   {
     return nullptr;
@@ -108,14 +110,15 @@ vtkShaderProgram* GPUSilhouette::use(ShadowPrograms::Stage stage, const Surface&
 vtkShaderProgram* GPUSilhouette::useForVolume(ShadowPrograms::Stage stage, const Surface& surface,
                                               const Light& light, const std::string& switches)
 {
-  vtkShaderProgram* program = this->use(stage, surface, {light}, switches);
+  const PathLightState& state = surface.state->lights.at(light.index);
+  const bool fromNear = startsAtNear(*this->frame.view, state.plan.count);
+  vtkShaderProgram* program = this->use(stage, surface, {light}, switches, fromNear);
   if (program == nullptr)
   {
     return nullptr;
   }
-  const PathLightState& state = surface.state->lights.at(light.index);
   const SEDGeometry& geometry = surface.geode->getGeometry();
-  setUniform(program, "lightMC", state.lightMC);
+  setLight(program, state.lightMC);
   setUniform(program, "farPlaneMC",
              farPlaneToModel(state.plan.farPlaneWC, worldFromRelative(geometry, surface.modelToWorld)));
   program->SetUniformi("light", light.index);
@@ -132,7 +135,8 @@ bool GPUSilhouette::isMirrored(const Surface& surface) const
 FaceCounter GPUSilhouette::countWith(vtkShaderProgram* program, const Surface& surface,
                                      StencilCount count) const
 {
-  return {{this->frame.window->GetState(), program, CountBuffer::Color, this->frame.reversedDepth},
+  return {{this->frame.window->GetState(), program, CountBuffer::Color, this->frame.reversedDepth,
+           startsAtNear(*this->frame.view, count)},
           count,
           this->isMirrored(surface)};
 }
@@ -140,16 +144,16 @@ FaceCounter GPUSilhouette::countWith(vtkShaderProgram* program, const Surface& s
 glm::vec3 GPUSilhouette::chooseApex(const SEDGeometry& geometry, const glm::dvec4& lightMC)
 {
   const std::vector<glm::vec3>& positions = geometry.getPositions();
-  const glm::vec3 light(lightMC);
+  const glm::dvec3 light(lightMC);
   const auto apart =
-      std::find_if(positions.begin(), positions.end(),
-                   [&](const glm::vec3& position) { return lightMC.w == 0.0 || position != light; });
+      std::find_if(positions.begin(), positions.end(), [&](const glm::vec3& position)
+                   { return lightMC.w == 0.0 || glm::dvec3(position) != light; });
   return apart != positions.end() ? *apart : glm::vec3(0.0f);
 }
 
 bool GPUSilhouette::drawSurface(const Surface& surface)
 {
-  vtkShaderProgram* program = this->use(this->getSurfaceStage(), surface, *this->frame.lights);
+  vtkShaderProgram* program = this->use(this->getSurfaceStage(), surface, *this->frame.lights, "", this->frame.view->parallel);
   if (program == nullptr)
   {
     return false;

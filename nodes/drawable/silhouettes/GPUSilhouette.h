@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -85,6 +86,9 @@ public:
   /// @return false when a shader does not compile
   virtual bool drawVolume(const Surface& surface, const Light& light, StencilCount count);
 
+  /// The program that draws a volume made on the CPU among those of the method: the way of its pre-pass.
+  virtual ShadowPrograms::Stage getVolumeStage() const { return ShadowPrograms::VolumeInColor; }
+
   /// Takes what the stages read off the texture units.
   void unbind();
 
@@ -132,13 +136,14 @@ protected:
   GeometryTexels& getTables(const Surface& surface);
 
   /// Makes a stage's program current, with the tables of a surface. @return nullptr when it does not compile
+  /// @param fromNear  see ShadowPrograms::use()
   vtkShaderProgram* useTables(ShadowPrograms::Stage stage, const Surface& surface,
-                              const std::string& switches = "");
+                              const std::string& switches = "", bool fromNear = false);
 
   /// Makes a stage's program current, with the tables, the facing and the matrices that belong to a surface.
   /// @return nullptr when it does not compile
   vtkShaderProgram* use(ShadowPrograms::Stage stage, const Surface& surface, const std::vector<Light>& lights,
-                        const std::string& switches = "");
+                        const std::string& switches, bool fromNear);
 
   /// The same for the volume of one light: sets also what extrusion.glsl and castingSign() ask for.
   vtkShaderProgram* useForVolume(ShadowPrograms::Stage stage, const Surface& surface, const Light& light,
@@ -158,7 +163,7 @@ private:
   KeptByMesh<GeometryTexels> tables;
   /// Of the frame, by stage and switches: to ask VTK's cache costs a hash of the whole text, for each surface
   /// and light.
-  std::map<std::pair<ShadowPrograms::Stage, std::string>, vtkShaderProgram*> programs;
+  std::map<std::tuple<ShadowPrograms::Stage, bool, std::string>, vtkShaderProgram*> programs;
 };
 
 } // namespace shadow

@@ -16,6 +16,8 @@ class GeometryShaderSilhouette : public GPUSilhouette
 public:
   bool drawVolume(const Surface& surface, const Light& light, StencilCount count) override;
 
+  ShadowPrograms::Stage getVolumeStage() const override { return ShadowPrograms::VolumeInColorHandedOn; }
+
 protected:
   ShadowPrograms::Stage getSurfaceStage() const override { return ShadowPrograms::SurfacePrePassHandedOn; }
 };

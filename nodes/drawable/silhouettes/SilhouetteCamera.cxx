@@ -1,7 +1,6 @@
 #include "SilhouetteCamera.h"
 
 #include <algorithm>
-#include <optional>
 
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
@@ -64,12 +63,6 @@ void SilhouetteCamera::getFacing(const VETRange& range, const Light& light, Ligh
     }
     facing.towards.data()[first >> 6] = towards;
     facing.away.data()[first >> 6] = away;
-  }
-  const std::optional<glm::dvec4> lightMC =
-      lightToModel(light, range.modelToWorld, range.geometry->getOrigin());
-  if (lightMC)
-  {
-    clearTouching(*range.geometry, *lightMC, facing);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "SEDGeode.h"
+#include "View.h"
 
 class vtkOpenGLState;
 class vtkShaderProgram;
@@ -21,6 +22,14 @@ enum class CountBuffer
 /// The most that a buffer can count before it must be looked at.
 std::size_t mostCountableIn(CountBuffer buffer);
 
+/// Whether volumes have to be cut at the near plane although depth clamp is on, which keeps their far ends: in
+/// parallel views, by z-pass. Z-fail counts behind surfaces, which begin at the near plane themselves; there a
+/// cut would only take from light caps the depth of the surfaces they lie on.
+inline bool startsAtNear(const View& view, StencilCount count)
+{
+  return view.parallel && count == StencilCount::ZPass;
+}
+
 /// Sets the GL up so that the faces of shadow volumes that are drawn are counted: +1 for each that is
 /// entered, -1 for each that is left, in front of the surface (z-pass) or the other way round behind it
 /// (z-fail).
@@ -37,6 +46,7 @@ public:
     vtkShaderProgram* program = nullptr;
     CountBuffer buffer = CountBuffer::Stencil; ///< not Auto
     bool reversedDepth = true;                 ///< see DepthRange
+    bool clipAtNear = false; ///< faces begin where gl_ClipDistance[0] is 0: startsAtNear()
   };
 
   /// @param mirrored  a face wound counter-clockwise in model space is clockwise on the screen
@@ -51,10 +61,12 @@ public:
   void count(int multiplicity, bool inward, const Draw& draw) const
   {
     this->setUp(multiplicity, inward);
+    this->setClipping(true);
     for (int time = 0; time < this->getDraws(multiplicity); ++time)
     {
       draw();
     }
+    this->setClipping(false);
   }
 
   /// How often count() draws.
@@ -68,6 +80,7 @@ public:
 
 private:
   void setUp(int multiplicity, bool inward) const;
+  void setClipping(bool on) const;
 
   Target target;
   StencilCount stencilCount;

@@ -9,6 +9,7 @@
 #include <vtkOpenGLShaderCache.h>
 #include <vtkShaderProgram.h>
 
+#include "SceneFrame.h"
 #include "Shaders.h"
 
 namespace shadow
@@ -27,7 +28,7 @@ std::string withSwitches(const char* source, const std::string& switches)
 
 } // namespace
 
-vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::string& switches)
+vtkShaderProgram* ShadowPrograms::use(Stage stage, bool fromNear, const std::string& switches)
 {
   struct Sources
   {
@@ -36,10 +37,13 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
     const char* switches;
     const char* geometry = "";
   };
-  static const std::array<Sources, 20> stages = {
+  static const std::array<Sources, 21> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
-      Sources{shaders::extrude_vert, shaders::volume_frag, ""},
-      Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
+      Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_VOLUME\n"},
+      Sources{shaders::extrude_vert, shaders::volume_frag,
+              "#define SHADOW_VOLUME\n#define SHADOW_COUNT_IN_COLOR\n"},
+      Sources{shaders::extrude_vert, shaders::volume_frag,
+              "#define SHADOW_VOLUME\n#define SHADOW_COUNT_IN_COLOR\n", shaders::volumeHandedOn_geom},
       Sources{shaders::screen_vert, shaders::mask_frag, ""},
       Sources{shaders::screen_vert, shaders::mask_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
       Sources{shaders::screen_vert, shaders::mask_frag,
@@ -65,7 +69,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool parallel, const std::str
       Sources{shaders::screen_vert, shaders::outlineBlend_frag, ""}};
   const Sources& sources = stages[stage];
   const std::string all =
-      sources.switches + std::string(parallel ? "#define SHADOW_PARALLEL\n" : "") + switches;
+      sources.switches + std::string(fromNear ? "#define SHADOW_PARALLEL\n" : "") + switches;
   const std::string vertex = withSwitches(sources.vertex, all);
   const std::string fragment = withSwitches(sources.fragment, all);
   const std::string geometry = *sources.geometry != '\0' ? withSwitches(sources.geometry, all) : "";
@@ -99,6 +103,13 @@ void setUniform(vtkShaderProgram* program, const char* name, const glm::dvec4& v
 {
   const glm::vec4 values(vector);
   program->SetUniform4f(name, glm::value_ptr(values));
+}
+
+void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC)
+{
+  const SplitVector parts = split(glm::dvec3(lightMC));
+  setUniform(program, "lightMC", glm::dvec4(parts.high, lightMC.w));
+  program->SetUniform3f("lightLowMC", glm::value_ptr(parts.low));
 }
 
 } // namespace shadow

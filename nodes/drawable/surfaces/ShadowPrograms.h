@@ -19,6 +19,7 @@ public:
     PrePass,
     VolumeInStencil, ///< see CountBuffer
     VolumeInColor,
+    VolumeInColorHandedOn, ///< the same through a geometry shader, to go with VolumeOfTriangles
     MaskFromStencil,
     MaskFromColor,
     MaskFromSamples, ///< the same with several samples a pixel
@@ -43,9 +44,11 @@ public:
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}
 
   /// Makes the stage's program current.
+  /// @param fromNear  what is drawn begins at the near plane, although depth clamp is on: surfaces of a parallel
+  ///                  view, and volumes where startsAtNear() says so
   /// @param switches  lines of the preprocessor to put before it
   /// @return nullptr when it does not compile; VTK has then reported why
-  vtkShaderProgram* use(Stage stage, bool parallel, const std::string& switches = "");
+  vtkShaderProgram* use(Stage stage, bool fromNear, const std::string& switches = "");
 
 private:
   vtkOpenGLRenderWindow* window;
@@ -67,5 +70,10 @@ void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides,
 /// Hands a double matrix to the program as float, column-major.
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dvec4& vector);
+
+/// The light of a volume, with twice the digits of a float: see shaders/extrusion.glsl.
+///
+/// @param lightMC  relative to the geometry's origin; w = 1: position; w = 0: direction towards the light
+void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC);
 
 } // namespace shadow

@@ -2,6 +2,7 @@
 
 #include <vtkShaderProgram.h>
 
+#include "BufferUpload.h"
 #include "OpenGL.h"
 #include "ShadowPrograms.h"
 #include "VertexLayout.h"
@@ -9,62 +10,56 @@
 namespace shadow
 {
 
-void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
+std::size_t ShadowVolumeDrawable::Indices::upload(const std::vector<std::pair<const Faces*, Batch>>& lists)
 {
   if (this->vertexArray == 0)
   {
     glGenVertexArrays(1, &this->vertexArray);
     glGenBuffers(1, &this->indexBuffer);
   }
-  this->sides = volume.sides.size();
-  this->doubledSides = volume.doubledSides.size();
-  this->caps = volume.lightCap.size() + volume.darkCap.size();
-  this->doubledCaps = volume.doubledDarkCap.size();
-  this->reversedCaps = volume.lightCapReversed.size();
-  this->bytes = volume.getTriangleCount() * sizeof(ShadowVolume::Triangle);
-
+  this->batches.clear();
+  std::size_t triangles = 0;
+  for (const auto& [faces, batch] : lists)
+  {
+    this->batches.push_back({faces->size(), batch.multiplicity, batch.inward, batch.side});
+    triangles += faces->size();
+  }
+  const std::size_t size = triangles * sizeof(ShadowVolume::Triangle);
   glBindVertexArray(this->vertexArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->bytes), nullptr, GL_STREAM_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_STREAM_DRAW);
   GLintptr offset = 0;
-  for (const auto* faces : {&volume.sides, &volume.doubledSides, &volume.lightCap, &volume.darkCap,
-                            &volume.doubledDarkCap, &volume.lightCapReversed})
+  for (const auto& [faces, batch] : lists)
   {
-    const auto size = static_cast<GLsizeiptr>(faces->size() * sizeof(ShadowVolume::Triangle));
-    if (size > 0)
+    const auto part = static_cast<GLsizeiptr>(faces->size() * sizeof(ShadowVolume::Triangle));
+    if (part > 0)
     {
-      glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, offset, size, faces->data());
+      glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, offset, part, faces->data());
     }
-    offset += size;
+    offset += part;
+  }
+  glBindVertexArray(0);
+  return size;
+}
+
+void ShadowVolumeDrawable::Indices::draw(const FaceCounter& counter, unsigned int vertexBuffer) const
+{
+  glBindVertexArray(this->vertexArray);
+  bindFloats(counter.getProgram(), "vertexMC", vertexBuffer, 4);
+  std::size_t first = 0;
+  for (const Batch& batch : this->batches)
+  {
+    if (batch.triangles > 0)
+    {
+      setDepthBias(counter.getProgram(), counter.isDepthReversed(), batch.side);
+      counter.count(batch.multiplicity, batch.inward, [&] { drawTriangles(first, batch.triangles); });
+    }
+    first += batch.triangles;
   }
   glBindVertexArray(0);
 }
 
-void ShadowVolumeDrawable::draw(const FaceCounter& counter, unsigned int vertexBuffer)
-{
-  vtkShaderProgram* program = counter.getProgram();
-  glBindVertexArray(this->vertexArray);
-  bindFloats(program, "vertexMC", vertexBuffer, 4);
-  std::size_t first = 0;
-  const auto count = [&](std::size_t triangles, int multiplicity, bool inward)
-  {
-    if (triangles > 0)
-    {
-      counter.count(multiplicity, inward, [&] { drawTriangles(first, triangles); });
-    }
-    first += triangles;
-  };
-  setDepthBias(program, counter.isDepthReversed(), true);
-  count(this->sides, 1, false);
-  count(this->doubledSides, 2, false);
-  setDepthBias(program, counter.isDepthReversed(), false);
-  count(this->caps, 1, false);
-  count(this->doubledCaps, 2, false);
-  count(this->reversedCaps, 1, true);
-  glBindVertexArray(0);
-}
-
-void ShadowVolumeDrawable::release(bool contextLost)
+void ShadowVolumeDrawable::Indices::release(bool contextLost)
 {
   if (!contextLost)
   {
@@ -72,6 +67,54 @@ void ShadowVolumeDrawable::release(bool contextLost)
     glDeleteBuffers(1, &this->indexBuffer);
   }
   this->vertexArray = this->indexBuffer = 0;
+}
+
+void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
+{
+  const Batch side{0, 1, false, true};
+  const Batch doubledSide{0, 2, false, true};
+  const Batch cap{0, 1, false, false};
+  this->bytes = this->whole.upload({{&volume.sides, side},
+                                    {&volume.doubledSides, doubledSide},
+                                    {&volume.lightCap, cap},
+                                    {&volume.darkCap, cap},
+                                    {&volume.doubledDarkCap, {0, 2, false, false}},
+                                    {&volume.lightCapReversed, {0, 1, true, false}}});
+  if (volume.close.vertices.empty())
+  {
+    this->close.batches.clear();
+    return;
+  }
+  this->bytes += this->close.upload({{&volume.close.sides, side},
+                                     {&volume.close.doubledSides, doubledSide},
+                                     {&volume.close.darkCap, cap}});
+  if (this->closeVertexBuffer == 0)
+  {
+    glGenBuffers(1, &this->closeVertexBuffer);
+  }
+  this->bytes +=
+      uploadBuffer(GL_ARRAY_BUFFER, this->closeVertexBuffer, volume.close.vertices, GL_STREAM_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void ShadowVolumeDrawable::draw(const FaceCounter& counter, unsigned int vertexBuffer)
+{
+  this->whole.draw(counter, vertexBuffer);
+  if (!this->close.batches.empty())
+  {
+    this->close.draw(counter, this->closeVertexBuffer);
+  }
+}
+
+void ShadowVolumeDrawable::release(bool contextLost)
+{
+  this->whole.release(contextLost);
+  this->close.release(contextLost);
+  if (!contextLost)
+  {
+    glDeleteBuffers(1, &this->closeVertexBuffer);
+  }
+  this->closeVertexBuffer = 0;
   this->revision = 0;
 }
 

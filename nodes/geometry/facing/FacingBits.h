@@ -82,8 +82,8 @@ private:
 
 /// How every triangle of a mesh faces one light.
 ///
-/// A triangle with the light in its plane has neither bit: its shadow has no area, so it casts none, and so
-/// do all triangles that meet in a vertex at the light, which has no direction to be extruded in.
+/// A triangle with the light in its plane has neither bit: its shadow has no area, so it casts none. All
+/// triangles that meet in a vertex at the light are such.
 struct LightFacing
 {
   FacingBits towards; ///< the light is in front of the oriented triangle (its normal's side)

@@ -10,23 +10,11 @@
 namespace shadow
 {
 
-bool touchesLight(const SEDGeometry& geometry, std::uint32_t triangle, const glm::vec3& lightMC)
-{
-  const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[triangle];
-  return std::any_of(corners.begin(), corners.end(),
-                     [&geometry, &lightMC](std::uint32_t vertex)
-                     { return geometry.getPositions()[vertex] == lightMC; });
-}
-
 FacingDecider::FacingDecider(const SEDGeometry& theGeometry, const glm::dvec4& theLightMC, InstructionSet set)
     : geometry(theGeometry), lightMC(theLightMC), light(scaleLight(theLightMC, theGeometry.getReach())),
       lightAsRounded(this->light.x, this->light.y, this->light.z, this->light.w),
       lightInUnits(toUnits(this->light)), kernel(getPlaneKernel(set))
 {
-  const glm::dvec3 rounded{glm::vec3(theLightMC)};
-  this->mayTouch = theLightMC.w != 0.0 &&
-                   glm::all(glm::greaterThanEqual(rounded, theGeometry.getLowerBound())) &&
-                   glm::all(glm::lessThanEqual(rounded, theGeometry.getUpperBound()));
 }
 
 void FacingDecider::decide(std::size_t firstWord, std::size_t endWord, LightFacing& facing) const
@@ -107,12 +95,6 @@ void FacingDecider::resolve(const std::vector<std::uint32_t>& doubtful, LightFac
 /// The exact sign: by a sharper filter in double precision, then by exact arithmetic.
 int FacingDecider::findSign(std::uint32_t triangle) const
 {
-  // A corner at the light has no direction to be extruded in, so its triangle must not cast: it counts as
-  // having the light in its plane, which exactly it does, but for the light's rounding to single precision.
-  if (this->mayTouch && touchesLight(this->geometry, triangle, glm::vec3(this->lightMC)))
-  {
-    return 0;
-  }
   const std::array<std::uint32_t, 3>& corners = this->geometry.getTriangles()[triangle];
   const std::vector<glm::vec3>& positions = this->geometry.getPositions();
   const int rasterSign =

@@ -65,10 +65,6 @@ private:
   glm::dvec4 lightAsRounded; ///< the same, for double precision
   LightInUnits lightInUnits;
   PlaneKernel kernel;
-  bool mayTouch = false; ///< a vertex may be where the light is
 };
-
-/// Does a corner coincide with a point light, as seen by whoever extrudes the triangle in single precision?
-bool touchesLight(const SEDGeometry& geometry, std::uint32_t triangle, const glm::vec3& lightMC);
 
 } // namespace shadow

@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "FacingDecider.h"
 #include "ShadowVolume.h"
@@ -54,30 +51,6 @@ LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC
   LightFacing facing;
   computeFacing(geometry, lightMC, facing);
   return facing;
-}
-
-void clearTouching(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing)
-{
-  if (lightMC.w == 0.0 || !isInsideBox(geometry, glm::dvec3(lightMC)))
-  {
-    return;
-  }
-  const glm::vec3 light(lightMC);
-  const std::vector<glm::vec3>& positions = geometry.getPositions();
-  if (std::find(positions.begin(), positions.end(), light) == positions.end())
-  {
-    return;
-  }
-  facing.mixedWords.reset();
-  for (std::size_t triangle = 0; triangle < geometry.getTriangles().size(); ++triangle)
-  {
-    if (touchesLight(geometry, static_cast<std::uint32_t>(triangle), light))
-    {
-      const std::uint64_t others = ~(std::uint64_t{1} << (triangle & 63));
-      facing.towards.data()[triangle >> 6] &= others;
-      facing.away.data()[triangle >> 6] &= others;
-    }
-  }
 }
 
 Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC)

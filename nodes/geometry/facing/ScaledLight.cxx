@@ -27,10 +27,8 @@ ScaledLight scaleLight(const glm::dvec4& lightMC, double reach)
     return {};
   }
   const glm::dvec4 scaled = inReach * factor;
-  // Positions so small that single precision has no digits for them are where they are only roughly.
-  const double touching = lightMC.w != 0.0 ? 0x1p-146 * factor : 0.0;
   constexpr double halfUnit = 0.5 / PlaneBlock::unitsInOne;
-  const double bound = (halfUnit + 16.0 * 0x1p-24) * sum * factor + 0x1p-100 + touching;
+  const double bound = (halfUnit + 16.0 * 0x1p-24) * sum * factor + 0x1p-100;
   return {static_cast<float>(scaled.x), static_cast<float>(scaled.y), static_cast<float>(scaled.z),
           static_cast<float>(scaled.w), static_cast<float>(bound)};
 }

@@ -19,12 +19,11 @@ struct ScaledLight
   float w = 0.0f;
 
   /// A plane's value beyond this, x * X + y * Y + z * Z + offset * W in single precision in any order, has
-  /// the sign of the exact one, and no corner of its triangle is the light rounded to single precision.
+  /// the sign of the exact one.
   ///
   /// With u = 1 / PlaneBlock::unitsInOne, e = 2^-24 and S = |x| + |y| + |z| + |w|: the plane is off by u / 2
-  /// a coordinate and by less than 1 e more, the light by 1 e, and evaluating adds 3 e. At a corner that
-  /// single precision cannot tell from the light the exact value is below 1 e S. The sum is (u / 2 + 6 e) S;
-  /// the bound is (u / 2 + 16 e) S, and room for underflow.
+  /// a coordinate and by less than 1 e more, the light by 1 e, and evaluating adds 3 e. The sum is
+  /// (u / 2 + 5 e) S; the bound is (u / 2 + 16 e) S, and room for underflow.
   float bound = 0.0f;
 };
 

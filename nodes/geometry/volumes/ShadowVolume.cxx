@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "CloseTriangles.h"
 #include "OverlapBound.h"
 
 namespace shadow
@@ -30,15 +31,19 @@ class Extruder
 {
 public:
   Extruder(const SEDGeometry& geometryIn, const LightFacing& facingIn, Casting castingIn,
-           const glm::dvec4& lightMC, bool farAtInfinity)
-      : geometry(geometryIn), facing(facingIn), casting(castingIn), directional(lightMC.w == 0.0),
-        farCopiesCoincide(directional && farAtInfinity), lightPosition(lightMC)
+           const glm::dvec4& lightMC, bool farAtInfinity, ShadowVolume::ClosePart& closePart)
+      : geometry(geometryIn), facing(facingIn), casting(castingIn),
+        farCopiesCoincide(lightMC.w == 0.0 && farAtInfinity),
+        closeTriangles(findCloseTriangles(geometryIn, facingIn, castingIn, lightMC)),
+        closeBuilder(geometryIn, glm::dvec3(lightMC), closePart)
   {
   }
 
-  void addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const;
+  bool hasCloseTriangles() const { return !this->closeTriangles.empty(); }
+
+  void addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume);
   void addLightCap(ShadowVolume& volume) const;
-  void addDarkTriangles(ShadowVolume& volume) const;
+  void addDarkTriangles(ShadowVolume& volume);
   void addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const;
 
 private:
@@ -50,28 +55,17 @@ private:
     return both && this->facing.away.test(triangle) ? -1 : towards;
   }
 
-  /// A vertex at a point light has no far copy: the light's rays meet there.
-  bool isAtLight(std::uint32_t vertex) const
-  {
-    return !this->directional && this->geometry.getPositions()[vertex] == this->lightPosition;
-  }
-
-  bool isExtrudable(const std::array<std::uint32_t, 3>& triangle) const
-  {
-    return !this->isAtLight(triangle[0]) && !this->isAtLight(triangle[1]) && !this->isAtLight(triangle[2]);
-  }
-
   void addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolume& volume) const;
 
   const SEDGeometry& geometry;
   const LightFacing& facing;
   Casting casting;
-  bool directional;
   bool farCopiesCoincide;
-  glm::vec3 lightPosition;
+  std::vector<std::uint32_t> closeTriangles;
+  ClosePartBuilder closeBuilder;
 };
 
-void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
+void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume)
 {
   const std::size_t trianglesAnEdge = this->farCopiesCoincide ? 1 : 2;
   const auto doubled = static_cast<std::size_t>(std::count_if(silhouette.begin(), silhouette.end(),
@@ -81,8 +75,9 @@ void Extruder::addSides(const std::vector<SilhouetteEdge>& silhouette, ShadowVol
   volume.doubledSides.reserve(trianglesAnEdge * doubled);
   for (const SilhouetteEdge& edge : silhouette)
   {
-    if (this->isAtLight(edge.from) || this->isAtLight(edge.to))
+    if (this->hasCloseTriangles() && this->closeBuilder.passesLight(edge.from, edge.to))
     {
+      this->closeBuilder.addSide(edge);
       continue;
     }
     const std::uint32_t from = nearCopy(edge.from);
@@ -102,7 +97,7 @@ void Extruder::addLightCap(ShadowVolume& volume) const
   {
     const int sign = this->getSign(triangle);
     const std::array<std::uint32_t, 3>& corners = this->geometry.getTriangles()[triangle];
-    if (sign == 0 || !this->isExtrudable(corners))
+    if (sign == 0)
     {
       continue;
     }
@@ -114,16 +109,24 @@ void Extruder::addLightCap(ShadowVolume& volume) const
 }
 
 /// Closes the far end with far copies that look away from the light.
-void Extruder::addDarkTriangles(ShadowVolume& volume) const
+void Extruder::addDarkTriangles(ShadowVolume& volume)
 {
   // On a closed mesh the averted triangles have the same border as those that face the light, the other way
-  // round. That needs every edge to have two triangles; any other mesh repeats its light cap.
-  const bool averted = this->casting == Casting::LightFacing && this->geometry.isClosed();
+  // round. That needs every edge to have two triangles; any other mesh repeats its light cap, and so does one with
+  // a triangle close to the light.
+  const bool averted =
+      this->casting == Casting::LightFacing && this->geometry.isClosed() && !this->hasCloseTriangles();
+  auto close = this->closeTriangles.begin();
   for (std::size_t triangle = 0; triangle < this->geometry.getTriangles().size(); ++triangle)
   {
     const int sign = this->getSign(triangle);
     const bool reversed = this->geometry.getReversed().test(triangle);
-    if (averted && sign == 0)
+    if (close != this->closeTriangles.end() && *close == triangle)
+    {
+      this->closeBuilder.addDarkFan(*close, sign < 0);
+      ++close;
+    }
+    else if (averted && sign == 0)
     {
       this->addFar(triangle, reversed, volume);
     }
@@ -137,10 +140,6 @@ void Extruder::addDarkTriangles(ShadowVolume& volume) const
 void Extruder::addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolume& volume) const
 {
   std::array<std::uint32_t, 3> corners = this->geometry.getTriangles()[triangle];
-  if (!this->isExtrudable(corners))
-  {
-    return;
-  }
   if (againstRasterOrder)
   {
     std::swap(corners[1], corners[2]);
@@ -152,17 +151,14 @@ void Extruder::addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolum
 /// vertex as arrive there, so that the sides of the fan cancel.
 void Extruder::addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
 {
-  const auto first = std::find_if(silhouette.begin(), silhouette.end(),
-                                  [this](const SilhouetteEdge& edge)
-                                  { return !this->isAtLight(edge.from) && !this->isAtLight(edge.to); });
-  if (first == silhouette.end())
+  if (silhouette.empty())
   {
     return;
   }
-  const std::uint32_t apex = first->from;
+  const std::uint32_t apex = silhouette.front().from;
   for (const SilhouetteEdge& edge : silhouette)
   {
-    if (edge.from == apex || edge.to == apex || this->isAtLight(edge.from) || this->isAtLight(edge.to))
+    if (edge.from == apex || edge.to == apex)
     {
       continue;
     }
@@ -184,7 +180,7 @@ ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<Si
     volume.silhouetteEdges += edge.multiplicity;
   }
 
-  const Extruder extruder(geometry, facing, casting, lightMC, options.farAtInfinity);
+  Extruder extruder(geometry, facing, casting, lightMC, options.farAtInfinity, volume.close);
   extruder.addSides(silhouette, volume);
   if (options.lightCap)
   {
@@ -192,11 +188,12 @@ ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<Si
   }
   // Where the far copies of a directional light's volume are one point nothing is open.
   const bool farEndOpen = lightMC.w != 0.0 || !options.farAtInfinity;
-  if (farEndOpen && options.darkCap == DarkCap::Triangles)
+  const bool fan = options.darkCap == DarkCap::Fan && !extruder.hasCloseTriangles();
+  if (farEndOpen && options.darkCap != DarkCap::None && !fan)
   {
     extruder.addDarkTriangles(volume);
   }
-  else if (farEndOpen && options.darkCap == DarkCap::Fan)
+  else if (farEndOpen && fan)
   {
     extruder.addDarkFan(silhouette, volume);
   }

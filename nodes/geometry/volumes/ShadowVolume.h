@@ -53,19 +53,40 @@ struct ShadowVolume
   std::size_t silhouetteEdges = 0;        ///< with multiplicity
   std::size_t overlapBound = 0;           ///< no ray from the light enters the volume more often than this
 
+  /// Faces of the volume that are made with rays of their own, see CloseTriangles.h.
+  struct ClosePart
+  {
+    std::vector<glm::vec4> vertices; ///< what the indices below are into: w = 1 near and w = 0 far copies of
+                                     ///< vertices, w = -1 directions of rays from the light to the far end
+    std::vector<Triangle> sides;
+    std::vector<Triangle> doubledSides;
+    std::vector<Triangle> darkCap;
+
+    std::size_t getTriangleCount() const
+    {
+      return this->sides.size() + this->doubledSides.size() + this->darkCap.size();
+    }
+  };
+  ClosePart close;
+
   /// Triangles held.
   std::size_t getTriangleCount() const
   {
     return this->sides.size() + this->doubledSides.size() + this->lightCap.size() +
-           this->lightCapReversed.size() + this->darkCap.size() + this->doubledDarkCap.size();
+           this->lightCapReversed.size() + this->darkCap.size() + this->doubledDarkCap.size() +
+           this->close.getTriangleCount();
   }
 
   /// Triangles to count: those of multiplicity 2 twice.
-  std::size_t getSideCount() const { return this->sides.size() + 2 * this->doubledSides.size(); }
+  std::size_t getSideCount() const
+  {
+    return this->sides.size() + this->close.sides.size() +
+           2 * (this->doubledSides.size() + this->close.doubledSides.size());
+  }
   std::size_t getCapCount() const
   {
     return this->lightCap.size() + this->lightCapReversed.size() + this->darkCap.size() +
-           2 * this->doubledDarkCap.size();
+           2 * this->doubledDarkCap.size() + this->close.darkCap.size();
   }
 };
 
@@ -75,7 +96,7 @@ enum class DarkCap
   None,      ///< z-pass, or the far end cannot be seen
   Triangles, ///< the thesis's: the averted triangles of a closed mesh, or each casting triangle's far copy
   Fan ///< a fan over the far silhouette: as many triangles as edges; at infinity it needs the light outside
-      ///< the bounding sphere
+      ///< the bounding sphere. Where a triangle is close to the light Triangles are taken in its place
 };
 
 /// What a volume is wanted for.
@@ -90,8 +111,7 @@ struct ShadowVolumeOptions
 /// How each triangle faces a light. Decided once, and exactly: where rounding could change the sign, exact
 /// arithmetic takes over. Two triangles in one plane therefore always agree.
 ///
-/// A vertex that single precision cannot tell from a point light leaves its triangles with neither bit. A
-/// light that is not finite leaves all of them so.
+/// A light that is not finite leaves all triangles with neither bit.
 ///
 /// @param lightMC  light position relative to the geometry's origin, in model units (w = 1), or the direction
 ///                 towards a directional light (w = 0)
@@ -102,16 +122,6 @@ LightFacing computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC
 
 /// The same, in the memory that @p facing has.
 void computeFacing(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing);
-
-/// Clears both bits of every triangle with a corner that single precision cannot tell from a point light.
-///
-/// Such a corner has no direction to be extruded in, so its triangles must not cast: they count as having the
-/// light in their plane, which exactly they do, but for the light's rounding. computeFacing() leaves them so;
-/// this is for facing that was computed in another way.
-///
-/// @param lightMC  as in computeFacing()
-/// @par Cost       none when the light is outside the bounding box, else O(vertices)
-void clearTouching(const SEDGeometry& geometry, const glm::dvec4& lightMC, LightFacing& facing);
 
 /// Casting::LightFacing when that is enough for this mesh and light: the mesh is closed and the light is
 /// outside its bounding box, as every directional light is. Inside the box the light may be inside the mesh,
@@ -127,7 +137,7 @@ Casting chooseCasting(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 ///        directional light at infinity, all far copies are taken as one point
 /// @post  overlapBound is the number of casting triangles, or boundOverlap() where that is more than
 /// countable
-/// @par Cost    O(silhouette), plus O(triangles) when caps are wanted
+/// @par Cost    O(silhouette), plus O(triangles) when caps are wanted or the light is in the bounding box
 /// @par Source  Everitt & Kilgard 2002, "Practical and Robust Stenciled Shadow Volumes"
 ShadowVolume extrudeSilhouette(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette,
                                const LightFacing& facing, Casting casting, const glm::dvec4& lightMC,

