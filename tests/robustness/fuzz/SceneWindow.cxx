@@ -146,14 +146,14 @@ DrawnMask SceneWindow::draw(const FuzzConfig& config)
   return drawn;
 }
 
-std::size_t SceneWindow::comparePictures(const FuzzConfig& config)
+std::vector<std::size_t> SceneWindow::comparePictures(const FuzzConfig& config)
 {
   const std::vector<unsigned char> added = this->window.renderPicture();
   FuzzConfig byMask = config;
   byMask.compositing = vtkShadowVolumePass::COMPOSITING_MASK;
   this->use(byMask);
   const std::vector<unsigned char> masked = this->window.renderPicture();
-  std::size_t different = 0;
+  std::vector<std::size_t> different;
   for (std::size_t pixel = 0; pixel < added.size(); pixel += 3)
   {
     bool differs = false;
@@ -161,7 +161,10 @@ std::size_t SceneWindow::comparePictures(const FuzzConfig& config)
     {
       differs = differs || std::abs(int{added[i]} - int{masked[i]}) > pictureTolerance;
     }
-    different += differs ? 1 : 0;
+    if (differs)
+    {
+      different.push_back(pixel / 3);
+    }
   }
   return different;
 }
