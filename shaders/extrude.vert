@@ -17,7 +17,7 @@ invariant gl_Position;
 
 void main()
 {
-  vec4 positionMC = vertexMC.w < 0.0 ? endOf(lightMC, vertexMC.xyz) : copyOf(vertexMC.xyz, vertexMC.w == 0.0);
+  vec4 positionMC = vertexMC.w < 0.0 ? endOf(lightMC, rayLength * vertexMC.xyz) : copyOf(vertexMC.xyz, vertexMC.w == 0.0);
 #ifdef SHADOW_PREPASS
   sideBits = reachableBits;
 #endif

@@ -3,6 +3,8 @@
 // unif clipFromMC  mat4  see shadowClipFromWC()
 // unif lightMC     vec4  w = 1 position, w = 0 direction towards the light; volumes only
 // unif lightLowMC  vec3  what lightMC lost when it was rounded to floats
+// unif rayLength   float  how long the direction of a point light's ray is made: where it is much shorter than what is seen, as
+//                         close to the light, what lies far along the ray would be the quotient of tiny differences
 // unif farPlaneMC  vec4  plane that far copies are projected on from the light; (0, 0, 0, 1) is the plane at infinity
 // unif depthBias   vec2  x scales depth, y shifts it; (1, 0) leaves it as it is
 // unif nearFromMC  vec4  dot with the position: distance in front of the near plane; parallel views only
@@ -11,6 +13,7 @@
 uniform mat4 clipFromMC;
 uniform vec4 lightMC;
 uniform vec3 lightLowMC;
+uniform float rayLength;
 uniform vec4 farPlaneMC;
 uniform vec2 depthBias;
 #ifdef SHADOW_PARALLEL
@@ -35,7 +38,11 @@ vec4 copyOf(vec3 vertexMC, bool isFar)
     // However close the light is to the vertex, the direction is off by a few roundings of itself only.
     SHADOW_PRECISE vec3 fromHigh = lightMC.w * vertexMC - lightMC.xyz;
     SHADOW_PRECISE vec3 rayMC = fromHigh - lightLowMC;
-    positionMC = endOf(positionMC, rayMC);
+    vec3 size = abs(rayMC);
+    float largest = max(max(size.x, size.y), size.z);
+    // By a power of two, which rounds nothing.
+    float longer = largest > 0.0 ? exp2(floor(log2(rayLength / largest))) : 1.0;
+    positionMC = endOf(positionMC, lightMC.w == 0.0 ? rayMC : longer * rayMC);
   }
   return positionMC;
 }

@@ -94,10 +94,10 @@ FacingPlane makeFacingPlane(SplitVector a, SplitVector b, SplitVector c)
   return FacingPlane(a, normal, u, v);
 }
 
-// Sums are normalised, so that equal ones have equal parts.
-bool isSame(SplitVector a, SplitVector b)
+float distanceBetween(SplitVector a, SplitVector b)
 {
-  return a.high == b.high && a.low == b.low;
+  vec3 apart = abs(add(a, negate(b)).high);
+  return max(max(apart.x, apart.y), apart.z);
 }
 
 // 1: the light sees the corners counter-clockwise; -1: clockwise; 0: it is in their plane, or a point light is at one
@@ -110,7 +110,8 @@ float facingOf(FacingPlane plane, SplitVector position, float w)
   float height = add(add(products, turnOnce(products)), turnTwice(products)).high.x;
   SplitVector second = SplitVector(w * plane.toSecond.high, w * plane.toSecond.low);
   SplitVector third = SplitVector(w * plane.toThird.high, w * plane.toThird.low);
-  // At a corner the height is zero, and what is computed may not be.
-  bool atCorner = arm.high == vec3(0.0) || isSame(arm, second) || isSame(arm, third);
-  return atCorner ? 0.0 : sign(height);
+  // At a corner the height is zero, and what is computed may not be: 3e-14 is what 48 bits leave open in scene space.
+  SplitVector first = SplitVector(vec3(0.0), vec3(0.0));
+  float nearest = min(distanceBetween(arm, first), min(distanceBetween(arm, second), distanceBetween(arm, third)));
+  return nearest <= w * 3e-14 ? 0.0 : sign(height);
 }

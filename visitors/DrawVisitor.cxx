@@ -48,7 +48,7 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
 {
   const glm::dmat4 wcFromMC = worldFromRelative(geode.getGeometry(), this->getModelToWorld());
   const bool mirrored = this->setMatrices(wcFromMC);
-  setLight(this->pass.program, light.lightMC);
+  setLight(this->pass.program, light.lightMC, geode.getGeometry().getReach());
   setUniform(this->pass.program, "farPlaneMC", farPlaneToModel(light.plan.farPlaneWC, wcFromMC));
   SEDGeometryDrawable& geometry = this->pass.drawables->getGeometry(geode.getSharedGeometry());
   for (std::size_t part = 0; part < light.volumes.size(); ++part)

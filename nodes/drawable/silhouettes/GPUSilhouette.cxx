@@ -118,7 +118,7 @@ vtkShaderProgram* GPUSilhouette::useForVolume(ShadowPrograms::Stage stage, const
     return nullptr;
   }
   const SEDGeometry& geometry = surface.geode->getGeometry();
-  setLight(program, state.lightMC);
+  setLight(program, state.lightMC, geometry.getReach());
   setUniform(program, "farPlaneMC",
              farPlaneToModel(state.plan.farPlaneWC, worldFromRelative(geometry, surface.modelToWorld)));
   program->SetUniformi("light", light.index);

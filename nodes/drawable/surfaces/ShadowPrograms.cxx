@@ -105,11 +105,13 @@ void setUniform(vtkShaderProgram* program, const char* name, const glm::dvec4& v
   program->SetUniform4f(name, glm::value_ptr(values));
 }
 
-void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC)
+void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC, double reach)
 {
   const SplitVector parts = split(glm::dvec3(lightMC));
   setUniform(program, "lightMC", glm::dvec4(parts.high, lightMC.w));
   program->SetUniform3f("lightLowMC", glm::value_ptr(parts.low));
+  // Longer than what is seen of most scenes; far too long is as good.
+  program->SetUniformf("rayLength", static_cast<float>(4096.0 * reach));
 }
 
 } // namespace shadow

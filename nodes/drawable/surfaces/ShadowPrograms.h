@@ -74,6 +74,7 @@ void setUniform(vtkShaderProgram* program, const char* name, const glm::dvec4& v
 /// The light of a volume, with twice the digits of a float: see shaders/extrusion.glsl.
 ///
 /// @param lightMC  relative to the geometry's origin; w = 1: position; w = 0: direction towards the light
-void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC);
+/// @param reach    SEDGeometry::getReach()
+void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC, double reach);
 
 } // namespace shadow

@@ -1,6 +1,5 @@
 #include "SilhouetteOracle.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,10 +18,7 @@ LightFacing faceExactly(const SEDGeometry& geometry, const glm::dvec4& light)
   for (std::size_t t = 0; t < geometry.getTriangles().size(); ++t)
   {
     const std::array<std::uint32_t, 3>& corners = geometry.getTriangles()[t];
-    const bool touches =
-        light.w != 0.0 && std::any_of(corners.begin(), corners.end(),
-                                      [&](std::uint32_t v) { return p[v] == glm::vec3(light); });
-    const int raster = touches ? 0 : exactSign(p[corners[0]], p[corners[1]], p[corners[2]], light);
+    const int raster = exactSign(p[corners[0]], p[corners[1]], p[corners[2]], light);
     if (raster != 0)
     {
       ((raster > 0) != geometry.getReversed().test(t) ? facing.towards : facing.away).set(t);

@@ -56,17 +56,58 @@ std::vector<std::uint32_t> findFirstAtPosition(const SEDGeometry& geometry)
   return result;
 }
 
-EdgeBalance balanceVolume(const ShadowVolume& volume, bool directional)
+namespace
+{
+
+/// One number for each vertex of ShadowVolume::close, those of the same copies in the rest of the volume.
+std::vector<std::uint32_t> numberCloseVertices(const SEDGeometry& geometry, const ShadowVolume& volume)
+{
+  using Place = std::tuple<float, float, float, float>;
+  std::map<Place, std::uint32_t> known;
+  const std::vector<glm::vec3>& positions = geometry.getPositions();
+  for (std::uint32_t vertex = 0; vertex < positions.size(); ++vertex)
+  {
+    const glm::vec3& at = positions[vertex];
+    known.emplace(Place(at.x, at.y, at.z, 1.0f), 2 * vertex);
+    known.emplace(Place(at.x, at.y, at.z, 0.0f), 2 * vertex + 1);
+  }
+  std::vector<std::uint32_t> numbers;
+  auto next = static_cast<std::uint32_t>(2 * positions.size());
+  for (const glm::vec4& vertex : volume.close.vertices)
+  {
+    const auto entry = known.emplace(Place(vertex.x, vertex.y, vertex.z, vertex.w), next);
+    next += entry.second ? 2 : 0;
+    numbers.push_back(entry.first->second);
+  }
+  return numbers;
+}
+
+} // namespace
+
+EdgeBalance balanceVolume(const SEDGeometry& geometry, const ShadowVolume& volume, bool directional)
 {
   EdgeBalance balance;
+  const std::vector<std::uint32_t> first = findFirstAtPosition(geometry);
+  const std::vector<std::uint32_t> closeNumbers = numberCloseVertices(geometry, volume);
   const auto add = [&](ShadowVolume::Triangle triangle, int times)
   {
     for (std::uint32_t& vertex : triangle)
     {
+      vertex = 2 * first[vertex / 2] + vertex % 2;
       vertex = directional && vertex % 2 == 1 ? 1 : vertex;
     }
     balance.addTriangle(triangle, times);
   };
+  const auto addClose = [&](const std::vector<ShadowVolume::Triangle>& faces, int times)
+  {
+    for (const ShadowVolume::Triangle& face : faces)
+    {
+      balance.addTriangle({closeNumbers[face[0]], closeNumbers[face[1]], closeNumbers[face[2]]}, times);
+    }
+  };
+  addClose(volume.close.sides, 1);
+  addClose(volume.close.doubledSides, 2);
+  addClose(volume.close.darkCap, 1);
   for (const auto* faces : {&volume.sides, &volume.lightCap, &volume.darkCap})
   {
     for (const ShadowVolume::Triangle& face : *faces)
@@ -161,6 +202,23 @@ int countEnclosing(const SEDGeometry& geometry, const ShadowVolume& volume, cons
   const auto crossSide = [&](const ShadowVolume::Triangle& face) {
     return cross(face) + (directional ? cross({face[0], face[2], face[0] + 1}) : 0);
   };
+  const auto placeClose = [&](std::uint32_t index)
+  {
+    const glm::vec4& vertex = volume.close.vertices[index];
+    const glm::dvec3 at(vertex);
+    const glm::dvec3 along = vertex.w == 0.0f ? glm::normalize(at - glm::dvec3(lightMC)) : at;
+    return vertex.w > 0.0f ? at : (vertex.w < 0.0f ? glm::dvec3(lightMC) : at) + farAway * along;
+  };
+  const auto crossClose = [&](const std::vector<ShadowVolume::Triangle>& faces, int times)
+  {
+    for (const ShadowVolume::Triangle& face : faces)
+    {
+      count += times * crossSegment({placeClose(face[0]), placeClose(face[1]), placeClose(face[2])}, outside, point);
+    }
+  };
+  crossClose(volume.close.sides, 1);
+  crossClose(volume.close.doubledSides, 2);
+  crossClose(volume.close.darkCap, 1);
   for (const ShadowVolume::Triangle& face : volume.sides)
   {
     count += crossSide(face);

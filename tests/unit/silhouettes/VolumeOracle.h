@@ -36,7 +36,9 @@ std::vector<std::uint32_t> findFirstAtPosition(const SEDGeometry& geometry);
 
 /// All faces of a volume wound counter-clockwise from outside. The far copies of a directional light's volume
 /// become one index, and its sides stay single triangles.
-EdgeBalance balanceVolume(const ShadowVolume& volume, bool directional);
+///
+/// @param geometry  what the volume is of: vertices at one position count as one, as do rays that are equal
+EdgeBalance balanceVolume(const SEDGeometry& geometry, const ShadowVolume& volume, bool directional);
 
 /// Does the triangle cross the open segment?
 ///
