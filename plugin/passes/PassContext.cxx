@@ -1,5 +1,7 @@
 #include "PassContext.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -55,6 +57,18 @@ View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
   int viewport[4] = {0, 0, 0, 0};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   return makeView(clip, viewport[2], viewport[3]);
+}
+
+std::string findFault(const View& view)
+{
+  const double* elements = glm::value_ptr(view.clipFromWC);
+  const bool finite = std::all_of(elements, elements + 16, [](double element)
+                                  { return std::isfinite(static_cast<float>(element)); });
+  // Where the squares of its coordinates overflow, a camera has no directions, and VTK makes them 0.
+  const auto hasDirection = [&](int row)
+  { return view.clipFromWC[0][row] != 0.0 || view.clipFromWC[1][row] != 0.0 || view.clipFromWC[2][row] != 0.0; };
+  const bool drawable = finite && hasDirection(0) && hasDirection(1);
+  return drawable ? "" : "the camera's position or scale is beyond what single precision holds";
 }
 
 bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,

@@ -1,5 +1,5 @@
-// What casts and receives is what VTK draws: backdrops, shaders that move vertices, fans under clipping planes,
-// lines beside polygons.
+// What casts and receives is what VTK draws: backdrops, shaders that move vertices, fans under clipping
+// planes, lines and points beside polygons.
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkAppendPolyData.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCompositePolyDataMapper.h>
 #include <vtkCubeSource.h>
@@ -64,18 +65,25 @@ vtkSmartPointer<vtkPolyData> makePolygon(bool concave)
   return polygon;
 }
 
+/// A line across the view, in front of the ball's shadow, and points above its ends.
 vtkSmartPointer<vtkPolyData> makeLine()
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> vertices;
   lines->InsertNextCell(2);
   for (const double x : {-1.0, 1.5})
   {
     lines->InsertCellPoint(points->InsertNextPoint(x, 0.6, 0.8));
   }
+  for (const double x : {0.2, 0.6, 1.0})
+  {
+    vertices->InsertNextCell({points->InsertNextPoint(x, 0.3, 0.6)});
+  }
   const auto line = vtkSmartPointer<vtkPolyData>::New();
   line->SetPoints(points);
   line->SetLines(lines);
+  line->SetVerts(vertices);
   return line;
 }
 
@@ -139,7 +147,8 @@ TEST(PassDrawn, ShaderThatMovesVertices_SkippedWithReason)
   const std::string moves = "vec4 moved = vertexMC + vec4(0.0, 0.5, 0.0, 0.0);\n"
                             "vertexVCVSOutput = MCVCMatrix * moved; gl_Position = MCDCMatrix * moved;\n";
   BallScene scene;
-  scene.ballActor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, moves, false);
+  scene.ballActor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, moves,
+                                                                   false);
   EXPECT_EQ(scene.maskAt(BallScene::inShadow), 255) << "the shadow of a ball that is not there";
   EXPECT_NE(skipped(scene.pass).find("move its vertices"), std::string::npos) << skipped(scene.pass);
   scene.ballActor->GetShaderProperty()->ClearAllVertexShaderReplacements();
@@ -150,9 +159,10 @@ TEST(PassDrawn, ShaderThatOnlyReadsPositions_Casts)
 {
   BallScene scene;
   vtkShaderProperty* shaders = scene.ballActor->GetShaderProperty();
-  shaders->AddVertexShaderReplacement("//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nout vec4 mine;\n", false);
-  shaders->AddVertexShaderReplacement("//VTK::Normal::Impl", true,
-                                      "//VTK::Normal::Impl\nmine = vertexMC; if (gl_Position == mine) {}\n", false);
+  const std::string declaration = "//VTK::Normal::Dec\nout vec4 mine;\n";
+  const std::string reading = "//VTK::Normal::Impl\nmine = vertexMC; if (gl_Position == mine) {}\n";
+  shaders->AddVertexShaderReplacement("//VTK::Normal::Dec", true, declaration, false);
+  shaders->AddVertexShaderReplacement("//VTK::Normal::Impl", true, reading, false);
   EXPECT_EQ(scene.maskAt(BallScene::inShadow), 0) << skipped(scene.pass);
 }
 
@@ -182,7 +192,9 @@ TEST(PassDrawn, LinesBesidePolygons_AsInActorsOfTheirOwn)
       for (vtkActor* actor : actors)
       {
         actor->GetProperty()->SetRenderLinesAsTubes(tubes);
+        actor->GetProperty()->SetRenderPointsAsSpheres(tubes);
         actor->GetProperty()->SetLineWidth(9.0f);
+        actor->GetProperty()->SetPointSize(15.0f);
       }
       pictures[mixed ? 1 : 0] = scene.renderPicture();
     }
@@ -248,4 +260,15 @@ TEST(PassDrawn, EdgesOfHiddenBacks_AsVtkDrawsThem)
   EXPECT_EQ(scene.pass->GetNumberOfHiddenBacks(), 0);
   attachPlainSteps(scene.renderer);
   EXPECT_EQ(countDifferent(ours, scene.renderPicture()), 0u);
+}
+
+TEST(PassDrawn, CameraBeyondSinglePrecision_StatusSaysSo)
+{
+  BallScene scene;
+  scene.renderer->GetActiveCamera()->SetPosition(1e300, 1e300, 0.0);
+  const auto messages = MessageCounter::observe(scene.pass);
+  scene.window->Render();
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_NOT_SUPPORTED);
+  EXPECT_NE(std::string(scene.pass->GetStatusMessage()).find("camera"), std::string::npos);
+  EXPECT_EQ(messages->warnings + messages->errors, 1);
 }
