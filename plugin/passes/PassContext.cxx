@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <vtkHardwareSelector.h>
@@ -66,7 +67,7 @@ std::string findFault(const View& view)
                                   { return std::isfinite(static_cast<float>(element)); });
   // Where the squares of its coordinates overflow, a camera has no directions, and VTK makes them 0.
   const auto hasDirection = [&](int row)
-  { return view.clipFromWC[0][row] != 0.0 || view.clipFromWC[1][row] != 0.0 || view.clipFromWC[2][row] != 0.0; };
+  { return glm::dvec3(glm::row(view.clipFromWC, row)) != glm::dvec3(0.0); };
   const bool drawable = finite && hasDirection(0) && hasDirection(1);
   return drawable ? "" : "the camera's position or scale is beyond what single precision holds";
 }

@@ -43,7 +43,8 @@ bool letsThrough(vtkActor* actor)
   // Edges are drawn wider than the triangles they belong to: those of a back reach over the rim.
   return actor->GetTexture() != nullptr || actor->GetProperty()->GetNumberOfTextures() > 0 ||
          actor->GetForceOpaque() || actor->GetProperty()->GetEdgeVisibility() != 0 ||
-         shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+         shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode() ||
+         shaders->GetNumberOfShaderReplacements() > 0;
 }
 
 /// Two roundings of single precision, for a coordinate as large as the mesh: what sin(2 pi) misses 0 by,
