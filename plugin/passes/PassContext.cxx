@@ -65,9 +65,10 @@ std::string findFault(const View& view)
   const double* elements = glm::value_ptr(view.clipFromWC);
   const bool finite = std::all_of(elements, elements + 16, [](double element)
                                   { return std::isfinite(static_cast<float>(element)); });
-  // Where the squares of its coordinates overflow, a camera has no directions, and VTK makes them 0.
+  // Where the squares of its coordinates overflow, a camera has no directions, and VTK makes them 0; a scale
+  // too large does the same.
   const auto hasDirection = [&](int row)
-  { return glm::dvec3(glm::row(view.clipFromWC, row)) != glm::dvec3(0.0); };
+  { return glm::vec3(glm::row(view.clipFromWC, row)) != glm::vec3(0.0f); };
   const bool drawable = finite && hasDirection(0) && hasDirection(1);
   return drawable ? "" : "the camera's position or scale is beyond what single precision holds";
 }

@@ -264,11 +264,34 @@ TEST(PassDrawn, EdgesOfHiddenBacks_AsVtkDrawsThem)
 
 TEST(PassDrawn, CameraBeyondSinglePrecision_StatusSaysSo)
 {
+  for (const bool parallel : {false, true})
+  {
+    BallScene scene;
+    vtkCamera* camera = scene.renderer->GetActiveCamera();
+    if (parallel)
+    {
+      camera->ParallelProjectionOn();
+      camera->SetParallelScale(1e300);
+    }
+    else
+    {
+      camera->SetPosition(1e300, 1e300, 0.0);
+    }
+    const auto messages = MessageCounter::observe(scene.pass);
+    scene.window->Render();
+    EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_NOT_SUPPORTED) << parallel;
+    EXPECT_NE(std::string(scene.pass->GetStatusMessage()).find("camera"), std::string::npos);
+    EXPECT_EQ(messages->warnings + messages->errors, 1);
+  }
+}
+
+TEST(PassDrawn, ActorScaledBeyondAllBounds_StatusSaysSo)
+{
   BallScene scene;
-  scene.renderer->GetActiveCamera()->SetPosition(1e300, 1e300, 0.0);
+  scene.ballActor->SetScale(1e300);
   const auto messages = MessageCounter::observe(scene.pass);
   scene.window->Render();
-  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_NOT_SUPPORTED);
-  EXPECT_NE(std::string(scene.pass->GetStatusMessage()).find("camera"), std::string::npos);
+  EXPECT_NE(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK);
+  EXPECT_NE(std::string(scene.pass->GetStatusMessage()).find("transform"), std::string::npos);
   EXPECT_EQ(messages->warnings + messages->errors, 1);
 }
