@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkClipPolyData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObjectTree.h>
@@ -21,6 +22,7 @@
 #include <vtkCompositePolyDataMapper2.h>
 #endif
 
+#include "MeshImport.h"
 #include "SweepUnused.h"
 
 namespace shadow
@@ -63,6 +65,21 @@ void collectBlocks(vtkDataObject* block, bool visible, bool opaque,
   }
 }
 
+// The triangles that VTK draws. A clipper would cut polygons that are concave or not flat in its own way.
+vtkSmartPointer<vtkPolyData> fan(vtkPolyData* input)
+{
+  const auto fanned = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& triangle : importTriangles(input).triangles)
+  {
+    triangles->InsertNextCell({static_cast<vtkIdType>(triangle[0]), static_cast<vtkIdType>(triangle[1]),
+                               static_cast<vtkIdType>(triangle[2])});
+  }
+  fanned->SetPoints(input->GetPoints());
+  fanned->SetPolys(triangles);
+  return fanned;
+}
+
 } // namespace
 
 bool DrawnSurfaces::areKnown(vtkMapper* mapper)
@@ -72,7 +89,8 @@ bool DrawnSurfaces::areKnown(vtkMapper* mapper)
   {
     return false;
   }
-  return mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper");
+  return mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkDataSetMapper") ||
+         mapper->IsA("vtkCompositePolyDataMapper");
 }
 
 std::vector<vtkPolyData*> DrawnSurfaces::collect(vtkActor* actor, const PropPath& path,
@@ -131,8 +149,7 @@ vtkPolyData* DrawnSurfaces::clip(vtkPolyData* input, vtkPlaneCollection* planes,
   {
     return entry.output;
   }
-  vtkSmartPointer<vtkPolyData> current = vtkSmartPointer<vtkPolyData>::New();
-  current->CopyStructure(input);
+  vtkSmartPointer<vtkPolyData> current = fan(input);
   for (int i = 0; i < planes->GetNumberOfItems(); ++i)
   {
     double* normal = planes->GetItem(i)->GetNormal();
@@ -150,7 +167,7 @@ vtkPolyData* DrawnSurfaces::clip(vtkPolyData* input, vtkPlaneCollection* planes,
     clipper->SetInputData(current);
     clipper->SetClipFunction(plane);
     clipper->Update();
-    current = clipper->GetOutput();
+    current = fan(clipper->GetOutput()); // a clipped triangle can become a quadrilateral
   }
   entry.output = current;
   entry.input = input;

@@ -1,7 +1,10 @@
 #include "PassContext.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <vtkHardwareSelector.h>
@@ -53,6 +56,19 @@ View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
   int viewport[4] = {0, 0, 0, 0};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   return makeView(clip, viewport[2], viewport[3]);
+}
+
+std::string findFault(const View& view)
+{
+  const double* elements = glm::value_ptr(view.clipFromWC);
+  const bool finite = std::all_of(elements, elements + 16, [](double element)
+                                  { return std::isfinite(static_cast<float>(element)); });
+  // Where the squares of its coordinates overflow, a camera has no directions, and VTK makes them 0; a scale
+  // too large does the same.
+  const auto hasDirection = [&](int row)
+  { return glm::vec3(glm::row(view.clipFromWC, row)) != glm::vec3(0.0f); };
+  const bool drawable = finite && hasDirection(0) && hasDirection(1);
+  return drawable ? "" : "the camera's position or scale is beyond what single precision holds";
 }
 
 bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,

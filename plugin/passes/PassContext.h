@@ -146,6 +146,9 @@ private:
 /// The matrices and the viewport that VTK is about to draw with.
 View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
 
+/// Why nothing can be drawn with a view: its matrix is beyond single precision or not finite. Else empty.
+std::string findFault(const View& view);
+
 /// What VTK draws a scene with, one pass for each part.
 struct ScenePasses
 {

@@ -1,5 +1,7 @@
 #include "PassScope.h"
 
+#include <set>
+
 #include <vtkCameraPass.h>
 #include <vtkImageProcessingPass.h>
 #include <vtkRenderPassCollection.h>
@@ -24,9 +26,10 @@ bool drawsTheRest(vtkRenderPass* pass)
 }
 
 // True when @p pass is found below @p tree with others beside it that draw the rest.
-bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside)
+// @param visited  where the search has been: passes that users connect may go round in circles
+bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside, std::set<vtkRenderPass*>& visited)
 {
-  if (tree == nullptr)
+  if (tree == nullptr || !visited.insert(tree).second)
   {
     return false;
   }
@@ -36,8 +39,8 @@ bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside)
   }
   if (auto* steps = vtkRenderStepsPass::SafeDownCast(tree))
   {
-    return search(steps->GetOpaquePass(), pass, true) ||
-           search(steps->GetPostProcessPass(), pass, othersBeside);
+    return search(steps->GetOpaquePass(), pass, true, visited) ||
+           search(steps->GetPostProcessPass(), pass, othersBeside, visited);
   }
   if (auto* sequence = vtkSequencePass::SafeDownCast(tree))
   {
@@ -49,7 +52,7 @@ bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside)
     }
     for (int i = 0; passes != nullptr && i < passes->GetNumberOfItems(); ++i)
     {
-      if (search(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), pass, beside))
+      if (search(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), pass, beside, visited))
       {
         return true;
       }
@@ -58,19 +61,19 @@ bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside)
   }
   if (auto* camera = vtkCameraPass::SafeDownCast(tree))
   {
-    return search(camera->GetDelegatePass(), pass, othersBeside);
+    return search(camera->GetDelegatePass(), pass, othersBeside, visited);
   }
   if (auto* supersampling = vtkSSAAPass::SafeDownCast(tree))
   {
-    return search(supersampling->GetDelegatePass(), pass, othersBeside);
+    return search(supersampling->GetDelegatePass(), pass, othersBeside, visited);
   }
   if (auto* outlines = vtkSilhouettePass::SafeDownCast(tree))
   {
-    return search(outlines->GetDelegatePass(), pass, othersBeside);
+    return search(outlines->GetDelegatePass(), pass, othersBeside, visited);
   }
   if (auto* image = vtkImageProcessingPass::SafeDownCast(tree))
   {
-    return search(image->GetDelegatePass(), pass, othersBeside);
+    return search(image->GetDelegatePass(), pass, othersBeside, visited);
   }
   return false;
 }
@@ -79,7 +82,18 @@ bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside)
 
 bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass)
 {
-  return search(renderer->GetPass(), pass, false);
+  std::set<vtkRenderPass*> visited;
+  return search(renderer->GetPass(), pass, false, visited);
+}
+
+bool hasNoPixels(vtkRenderer* renderer)
+{
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  return width <= 0 || height <= 0;
 }
 
 } // namespace shadow

@@ -12,6 +12,9 @@ namespace shadow
 /// passes.
 bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass);
 
+/// True for a viewport without width or height, of which VTK draws nothing.
+bool hasNoPixels(vtkRenderer* renderer);
+
 } // namespace shadow
 
 #endif

@@ -19,6 +19,7 @@
 #include <vtkShaderProperty.h>
 
 #include "MeshImport.h"
+#include "MovedVertices.h"
 #include "SweepUnused.h"
 
 namespace shadow
@@ -39,9 +40,11 @@ bool letsThrough(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   // VTK leaves out what a texture makes wholly transparent, and takes the actor for opaque all the same.
+  // Edges are drawn wider than the triangles they belong to: those of a back reach over the rim.
   return actor->GetTexture() != nullptr || actor->GetProperty()->GetNumberOfTextures() > 0 ||
-         actor->GetForceOpaque() || shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
-         shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+         actor->GetForceOpaque() || actor->GetProperty()->GetEdgeVisibility() != 0 ||
+         shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode() ||
+         shaders->GetNumberOfShaderReplacements() > 0;
 }
 
 /// Two roundings of single precision, for a coordinate as large as the mesh: what sin(2 pi) misses 0 by,
@@ -96,9 +99,17 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
       visible = visible && node->GetViewProp()->GetVisibility() != 0;
     }
     vtkActor* actor = vtkActor::SafeDownCast(path.back());
-    if (visible && actor != nullptr && actor->GetMapper() != nullptr)
+    if (!visible || path.back()->IsA("vtkSkybox") != 0)
+    {
+      continue; // a skybox is a backdrop: its cube is nowhere in the scene
+    }
+    if (actor != nullptr && actor->GetMapper() != nullptr)
     {
       this->addActor(actor, path, assemblyPath, settings, root);
+    }
+    else if (path.back()->IsA("vtkImageSlice") != 0 || path.back()->IsA("vtkLODProp3D") != 0)
+    {
+      this->refuse(this->describe(path.back()), "it is no vtkActor", settings);
     }
   }
 }
@@ -130,6 +141,12 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   if (!DrawnSurfaces::areKnown(mapper))
   {
     this->skip(actor, std::string("its mapper is a ") + mapper->GetClassName());
+    return;
+  }
+
+  if (movesVertices(actor))
+  {
+    this->skip(actor, "its shaders may move its vertices");
     return;
   }
 

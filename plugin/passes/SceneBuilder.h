@@ -51,8 +51,8 @@ public:
   /// The actor of a transform that stands for it alone: one data set, drawn in one place. Else nullptr.
   vtkProp* findActor(const Node* transform) const;
 
-  /// True when what VTK draws for an actor may let through what lies behind: shaders of its own,
-  /// textures, or translucency that is taken for opaque.
+  /// True when what VTK draws for an actor may show what lies behind: shaders of its own, textures,
+  /// translucency that is taken for opaque, or edges that are wider than what they belong to.
   bool mayBeSeenThrough() const { return this->seenThrough; }
 
   /// Actors that were left out although they are drawn, and why.

@@ -105,6 +105,12 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, v
 
   this->SceneMilliseconds = 0.0;
   state.View = shadow::currentView(renderer, window);
+  if (const std::string fault = shadow::findFault(state.View); !fault.empty())
+  {
+    this->AddMessage(fault);
+    this->Status = STATUS_NOT_SUPPORTED;
+    return false;
+  }
   const shadow::LightList lights = shadow::collectLights(renderer);
 
   if (!this->RenderMask(self, state, lights))

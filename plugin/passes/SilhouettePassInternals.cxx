@@ -20,6 +20,13 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
   RendererState& state = this->GetState(renderer, window);
   this->Status = STATUS_OK;
   this->Message.clear();
+  const shadow::View view = shadow::currentView(renderer, window);
+  if (const std::string fault = shadow::findFault(view); !fault.empty())
+  {
+    this->Status = STATUS_NOT_SUPPORTED;
+    this->Message = fault;
+    return;
+  }
 
   const shadow::Stopwatch stage;
   shadow::SceneBuilder::Settings sceneSettings;
@@ -50,7 +57,7 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
   look.smooth = self->Smooth;
   std::set<std::string> errors(state.Builder.getErrors().begin(), state.Builder.getErrors().end());
   std::string error;
-  if (!state.Effect.renderLines(window, shadow::currentView(renderer, window), settings, error) ||
+  if (!state.Effect.renderLines(window, view, settings, error) ||
       !state.Effect.blend(window, look, self->MeasureStages, error))
   {
     this->Status = STATUS_NOT_SUPPORTED;

@@ -54,6 +54,8 @@ public:
   shadow::PropExclusions NotOutlined;
   shadow::RendererStates<RendererState> Renderers;
   RendererState* Current = nullptr; ///< of the last rendering
+  bool Busy = false;                ///< while rendering or releasing, to notice delegates that lead back here
+  bool LedBack = false;             ///< the delegates of the rendering did
   int Status = STATUS_NOT_RENDERED;
   std::string Message;
   std::set<shadow::CasterCuller::Skipped> Skipped;

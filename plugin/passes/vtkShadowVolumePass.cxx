@@ -14,6 +14,7 @@
 
 #include "OpenGL.h"
 #include "PassScope.h"
+#include "PrimitiveKind.h"
 #include "ShadowPassInternals.h"
 #include "Stopwatch.h"
 
@@ -52,6 +53,12 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   if (window == nullptr)
   {
     vtkErrorMacro("needs a renderer in an OpenGL render window.");
+    return;
+  }
+  if (shadow::hasNoPixels(renderer))
+  {
+    this->Internals->Status = STATUS_OK;
+    this->Internals->Message.clear();
     return;
   }
   if (this->Internals->Passes.renderInstead(this, renderer, s, this->NumberOfRenderedProps))
@@ -142,7 +149,8 @@ bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std
                                                   vtkProp* prop)
 {
   const auto* current = this->Internals->Current;
-  const bool mirrored = current != nullptr && current->Builder.isMirrored(prop);
+  const bool mirrored =
+      current != nullptr && current->Builder.isMirrored(prop) && shadow::drawsFaces(mapper);
   if (!this->Internals->Hook.substitute(fragmentShader, mirrored))
   {
     // VTK builds a shader once; the message stays with it.

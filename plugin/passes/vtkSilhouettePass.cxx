@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
@@ -12,6 +13,24 @@
 #include "SilhouettePassInternals.h"
 
 vtkStandardNewMacro(vtkSilhouettePass);
+
+namespace
+{
+
+/// Sets a flag until the end of the block.
+class ScopedFlag
+{
+public:
+  explicit ScopedFlag(bool& theFlag) : flag(theFlag) { this->flag = true; }
+  ~ScopedFlag() { this->flag = false; }
+  ScopedFlag(const ScopedFlag&) = delete;
+  ScopedFlag& operator=(const ScopedFlag&) = delete;
+
+private:
+  bool& flag;
+};
+
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkSilhouettePass::vtkSilhouettePass() : Internals(new vtkInternals) {}
@@ -61,6 +80,23 @@ void vtkSilhouettePass::SetDelegatePass(vtkRenderPass* delegatePass)
 }
 
 //------------------------------------------------------------------------------
+void vtkSilhouettePass::SetLineWidth(double width)
+{
+  if (!std::isfinite(width) || width <= 0.0)
+  {
+    vtkWarningMacro("a line width of " << width << " pixels cannot be drawn; it stays " << this->LineWidth
+                                       << ".");
+    return;
+  }
+  const double clamped = std::clamp(width, this->GetLineWidthMinValue(), this->GetLineWidthMaxValue());
+  if (clamped != this->LineWidth)
+  {
+    this->LineWidth = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkRenderPass* vtkSilhouettePass::GetDelegatePass()
 {
   return this->Internals->Delegate;
@@ -78,11 +114,24 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
     vtkErrorMacro("needs a renderer in an OpenGL render window.");
     return;
   }
+  if (shadow::hasNoPixels(renderer))
+  {
+    this->Internals->Status = STATUS_OK;
+    this->Internals->Message.clear();
+    return;
+  }
   vtkInternals& internals = *this->Internals;
   if (internals.Passes.renderInstead(this, renderer, s, this->NumberOfRenderedProps))
   {
     return;
   }
+  if (internals.Busy)
+  {
+    internals.LedBack = true;
+    return;
+  }
+  internals.LedBack = false;
+  const ScopedFlag busy(internals.Busy);
   const bool ownScene = !this->LinesOnly && internals.Delegate == nullptr;
   const bool complete = ownScene && !shadow::othersDrawTheRest(renderer, this);
   if (ownScene)
@@ -97,6 +146,11 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
   if (complete)
   {
     this->RenderPart(internals.Passes.overlay, s);
+  }
+  if (internals.LedBack)
+  {
+    internals.Status = STATUS_NOT_SUPPORTED;
+    internals.Message = "the delegates of this pass lead back to it; one that does draws nothing";
   }
   if (internals.Current->Messages.isNews(internals.Message))
   {
@@ -129,6 +183,11 @@ void vtkSilhouettePass::RenderPart(vtkRenderPass* pass, const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkSilhouettePass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (this->Internals->Busy)
+  {
+    return;
+  }
+  const ScopedFlag busy(this->Internals->Busy);
   this->Internals->Renderers.release(window);
   this->Internals->Passes.ReleaseGraphicsResources(window);
   if (this->Internals->Delegate != nullptr)

@@ -74,7 +74,9 @@ public:
   /**
    * Width of the lines in pixels, half of it on each side of the edge; 0.5 to 64. Default: 2.
    */
-  vtkSetClampMacro(LineWidth, double, 0.5, 64.0);
+  virtual void SetLineWidth(double width);
+  virtual double GetLineWidthMinValue() { return 0.5; }
+  virtual double GetLineWidthMaxValue() { return 64.0; }
   vtkGetMacro(LineWidth, double);
   ///@}
 

@@ -23,6 +23,7 @@ if(VTKSHADOW_HEADLESS)
     pass/test_pass_changes.cxx
     pass/test_pass_growth.cxx
     pass/test_pass_lights.cxx
+    pass/test_pass_drawn.cxx
     pass/test_pass_mappers.cxx
     pass/test_pass_materials.cxx
     pass/test_pass_reports.cxx
@@ -44,6 +45,7 @@ if(VTKSHADOW_HEADLESS)
     outlines/test_large_faces.cxx
     outlines/test_outline_cases.cxx
     outlines/test_outline_copies.cxx
+    outlines/test_outline_drawn.cxx
     outlines/test_outline_faces.cxx
     outlines/test_outline_pass.cxx
     outlines/test_outline_refusals.cxx

@@ -58,7 +58,7 @@ void appendPath(vtkAssemblyPath* path, const CastsShadow& casts, Scene& scene)
 {
   auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper || !isDrawn(path) || mapper->GetNumberOfInputConnections(0) == 0)
+  if (!mapper || !isDrawn(path) || actor->IsA("vtkSkybox") || mapper->GetNumberOfInputConnections(0) == 0)
   {
     return;
   }
