@@ -44,8 +44,11 @@ std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const t
 }
 
 /// In the ray caster's space.
-std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, const truth::Scene& scene)
+std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, const truth::Scene& scene,
+                                                bool doublePoints)
 {
+  // From roundings of double to roundings of single precision.
+  const double coarser = doublePoints ? std::exp2(29.0) : 1.0;
   std::vector<truth::LocalTriangle> triangles;
   for (const truth::Triangle& triangle : scene.triangles)
   {
@@ -53,18 +56,24 @@ std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, 
         std::max({truth::largestCoordinate(triangle.a), truth::largestCoordinate(triangle.b),
                   truth::largestCoordinate(triangle.c)});
     triangles.push_back({triangle.a - caster.originWC(), triangle.b - caster.originWC(),
-                       triangle.c - caster.originWC(), truth::vertexRounding(largest),
+                       triangle.c - caster.originWC(), coarser * truth::vertexRounding(largest),
                        static_cast<std::uint32_t>(triangles.size()), triangle.casts, false, false});
   }
   return triangles;
 }
 
+bool isGrazing(const truth::LocalTriangle& triangle, const glm::dvec3& direction)
+{
+  const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  return std::abs(glm::dot(normal, direction)) < 1e-6 * glm::length(normal) * glm::length(direction);
+}
+
 } // namespace
 
 CertainPixels::CertainPixels(const truth::Scene& scene, const truth::View& view,
-                             const truth::Light& light)
+                             const truth::Light& light, bool doublePoints)
     : caster(scene), truth(caster, view, light), rays(view, caster.originWC()),
-      triangles(makeTriangles(caster, scene)),
+      triangles(makeTriangles(caster, scene, doublePoints)),
       movedLights(moveLight(caster, scene, light)), known(truth.mask().size(), -1)
 {
 }
@@ -100,6 +109,10 @@ bool CertainPixels::isInPlaneOfLight(const truth::Ray& ray) const
     for (const truth::LocalLight& moved : this->movedLights)
     {
       const glm::dvec3 direction = glm::dvec3(moved.position) - moved.position.w * hit->point;
+      if (i == hit->triangle && isGrazing(this->triangles[i], direction))
+      {
+        return true;
+      }
       if ((i == hit->triangle || truth::lineVolumes(this->triangles[i], hit->point, direction).crosses()) &&
           truth::sideOfPlane(this->triangles[i], moved.position, moved.rounding) == 0)
       {

@@ -19,11 +19,16 @@ namespace shadow::fuzz
 /// - and when the light lies in the plane of no triangle that counts here, as far as rounding of its corners
 ///   tells: not of the one that is seen, nor of one between it and the light. The ray caster takes these for
 ///   neither side, see truth::sideOfPlane(). Slivers turn about their long side with the least rounding, so
-///   for them this reaches farther than the cube.
+///   for them this reaches farther than the cube. Points in double precision are drawn in single precision, by
+///   VTK as well, so there it is that rounding;
+/// - and when the light does not graze the surface that is seen, by less than 1e-6: which pixels are seen of a
+///   surface is known to single precision only, and so is which of two surfaces as flat as that lies in front.
 class CertainPixels
 {
 public:
-  CertainPixels(const truth::Scene& scene, const truth::View& view, const truth::Light& light);
+  /// @param doublePoints  the points of the scene's meshes do not fit into single precision
+  CertainPixels(const truth::Scene& scene, const truth::View& view, const truth::Light& light,
+                bool doublePoints = false);
   CertainPixels(const CertainPixels&) = delete;
   CertainPixels& operator=(const CertainPixels&) = delete;
 

@@ -25,7 +25,7 @@ DrawnScene FuzzSession::draw(const FuzzScene& scene)
   const truth::Scene triangles = this->window.getTruthScene();
   const truth::View view = this->window.getView();
   const truth::Light light = this->window.getLight();
-  drawn.truth = std::make_unique<CertainPixels>(triangles, view, light);
+  drawn.truth = std::make_unique<CertainPixels>(triangles, view, light, scene.doublePoints);
   const bool mayUseZPass =
       isNearPlaneLit(triangles, truth::PixelRays(view, glm::dvec3(0.0)), scene.size, light);
   for (auto config = configs.begin() + 1; config != configs.end(); ++config)

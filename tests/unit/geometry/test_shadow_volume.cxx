@@ -231,11 +231,13 @@ TEST(ShadowVolume, VertexAtTheLight_HasNoFaces)
   const SEDGeometry geometry = build(makeSphere(1.0, 12, 8));
   const glm::dvec4 light(glm::dvec3(geometry.getPositions()[30]), 1.0);
   const LightFacing facing = computeFacing(geometry, light);
+  const Casting casting = chooseCasting(geometry, light);
+  EXPECT_EQ(casting, Casting::EveryTriangle);
   for (const DarkCap darkCap : {DarkCap::Triangles, DarkCap::Fan})
   {
     const auto silhouette =
-        makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, Casting::LightFacing);
-    const ShadowVolume volume = extrudeSilhouette(geometry, silhouette, facing, Casting::LightFacing, light,
+        makeSilhouetteFinder(SilhouetteMethod::BruteForce)->find(geometry, facing, casting);
+    const ShadowVolume volume = extrudeSilhouette(geometry, silhouette, facing, casting, light,
                                                   ShadowVolumeOptions{true, darkCap});
     for (const auto* faces : {&volume.sides, &volume.doubledSides, &volume.lightCap, &volume.lightCapReversed,
                               &volume.darkCap, &volume.doubledDarkCap})
