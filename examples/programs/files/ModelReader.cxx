@@ -1,6 +1,7 @@
 #include "ModelReader.h"
 
 #include "MeshCheck.h"
+#include "ObjCopy.h"
 #include "ReaderGuard.h"
 #include "TextCheck.h"
 #include "UserError.h"
@@ -15,11 +16,14 @@
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
@@ -100,6 +104,50 @@ std::vector<RawPart> readTextWith(const std::string& file)
   return readWith<Reader>(file);
 }
 
+// Points in double precision, moved by what they are relative to.
+void movePoints(vtkDataSet* data, const std::array<double, 3>& by)
+{
+  auto* pointSet = vtkPointSet::SafeDownCast(data);
+  if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
+  {
+    return;
+  }
+  vtkNew<vtkPoints> moved;
+  moved->SetDataTypeToDouble();
+  moved->SetNumberOfPoints(pointSet->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < pointSet->GetNumberOfPoints(); ++point)
+  {
+    std::array<double, 3> at{};
+    pointSet->GetPoint(point, at.data());
+    moved->SetPoint(point, at[0] + by[0], at[1] + by[1], at[2] + by[2]);
+  }
+  pointSet->SetPoints(moved);
+}
+
+std::vector<RawPart> readObj(const std::string& file)
+{
+  const ObjFindings findings = checkObj(file);
+  if (!findings.damage.empty())
+  {
+    throw UserError(findings.damage);
+  }
+  const bool isFar = findings.shift != std::array<double, 3>{0.0, 0.0, 0.0};
+  if (!findings.unusual && !isFar)
+  {
+    return readWith<vtkOBJReader>(file);
+  }
+  const ObjCopy copy(file, findings.shift);
+  std::vector<RawPart> parts = readWith<vtkOBJReader>(copy.getName());
+  for (const RawPart& part : parts)
+  {
+    if (isFar)
+    {
+      movePoints(part.data, findings.shift);
+    }
+  }
+  return parts;
+}
+
 std::optional<Vector3> findColour(vtkDataObject* block)
 {
   vtkDataArray* colour = block->GetFieldData()->GetArray("BaseColorMultiplier");
@@ -142,7 +190,7 @@ std::vector<RawPart> readGltf(const std::string& file)
 const std::map<std::string, ReadFunction>& readers()
 {
   static const std::map<std::string, ReadFunction> table = {
-      {"obj", readTextWith<vtkOBJReader, findObjDamage>},
+      {"obj", readObj},
       {"ply", readTextWith<vtkPLYReader, findPlyDamage>},
       {"stl", readStl},
       {"vtp", readWith<vtkXMLPolyDataReader>},

@@ -10,10 +10,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -37,6 +39,69 @@ std::string lowerCase(std::string text)
   return text;
 }
 
+// Where writing a name leads to.
+struct Target
+{
+  std::string name;    ///< through symbolic links, also to what is not there yet
+  bool inPlace = false; ///< a device, a pipe, or a descriptor of a process: it has to stay what it is
+};
+
+Target findTarget(const std::string& file)
+{
+  constexpr int mostLinks = 40; // as many as Linux follows
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+  {
+    return {file, true};
+  }
+  fs::path path(file);
+  for (int link = 0; fs::is_symlink(path, error); ++link)
+  {
+    // As /dev/stdout: what it leads to is open already, and whoever opened it reads that.
+    if (fs::canonical(folderOf(path.string()), error).string().rfind("/proc/", 0) == 0)
+    {
+      return {file, true};
+    }
+    const fs::path next = fs::read_symlink(path, error);
+    if (error || link == mostLinks)
+    {
+      throw UserError(file + ": the symbolic link leads nowhere");
+    }
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return {path.string(), false};
+}
+
+// @return false with errno set when not everything was written
+bool writeAll(int descriptor, const std::string& content)
+{
+  std::size_t done = 0;
+  while (descriptor >= 0 && done < content.size())
+  {
+    const ssize_t count = ::write(descriptor, content.data() + done, content.size() - done);
+    if (count < 0 && errno != EINTR)
+    {
+      return false;
+    }
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  return descriptor >= 0;
+}
+
+// To a device or a pipe, as it is. A pipe that nobody reads makes no signal, but an error like any other.
+bool writeInPlace(const std::string& file, const std::string& content)
+{
+  const int descriptor = open(file.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  const auto previous = std::signal(SIGPIPE, SIG_IGN);
+  const bool written = writeAll(descriptor, content);
+  const int cause = errno;
+  std::signal(SIGPIPE, previous);
+  const bool closed = descriptor >= 0 && close(descriptor) == 0;
+  errno = written ? errno : cause;
+  return written && closed;
+}
+
 // Removes an unfinished file when something goes wrong on the way.
 class TemporaryFile
 {
@@ -56,20 +121,7 @@ public:
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  bool write(const std::string& content) const
-  {
-    std::size_t done = 0;
-    while (this->descriptor >= 0 && done < content.size())
-    {
-      const ssize_t count = ::write(this->descriptor, content.data() + done, content.size() - done);
-      if (count < 0 && errno != EINTR)
-      {
-        return false;
-      }
-      done += count > 0 ? static_cast<std::size_t>(count) : 0;
-    }
-    return this->descriptor >= 0;
-  }
+  bool write(const std::string& content) const { return writeAll(this->descriptor, content); }
 
   bool becomes(const std::string& target)
   {
@@ -100,7 +152,16 @@ void checkTarget(const std::string& option, const std::string& file, const std::
   {
     throw UserError(option + ": " + file + " does not end in " + extension);
   }
-  const fs::path folder = folderOf(file);
+  const Target target = findTarget(file);
+  if (target.inPlace)
+  {
+    if (fs::is_socket(path, error) || access(file.c_str(), W_OK) != 0)
+    {
+      throw UserError(option + ": " + file + " may not be written to");
+    }
+    return;
+  }
+  const fs::path folder = folderOf(target.name);
   if (!fs::is_directory(folder, error))
   {
     throw UserError(option + ": there is no folder " + folder.string());
@@ -133,8 +194,17 @@ std::string numberedName(const std::string& file, const std::string& number)
 
 void writeFile(const std::string& file, const std::string& content)
 {
-  TemporaryFile temporary(file);
-  if (!temporary.write(content) || !temporary.becomes(file))
+  const Target target = findTarget(file);
+  if (target.inPlace)
+  {
+    if (!writeInPlace(target.name, content))
+    {
+      throw UserError(file + ": cannot be written: " + std::strerror(errno));
+    }
+    return;
+  }
+  TemporaryFile temporary(target.name);
+  if (!temporary.write(content) || !temporary.becomes(target.name))
   {
     throw UserError(file + ": cannot be written: " + std::strerror(errno));
   }

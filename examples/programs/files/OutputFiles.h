@@ -9,7 +9,7 @@ namespace shadow::examples
 {
 
 /// Makes sure, before the long work begins, that a file can be written: its folder is there and may be
-/// written to, and the name is not a folder's.
+/// written to, and the name is not a folder's or a socket's. Symbolic links are followed.
 ///
 /// @param option     for the message
 /// @param extension  that the name must have, as ".png"; "" for any
@@ -23,7 +23,8 @@ bool isSameFile(const std::string& a, const std::string& b);
 std::string numberedName(const std::string& file, const std::string& number);
 
 /// Writes a file whole or not at all: to another name in the same folder first, which then takes the place of
-/// what was there.
+/// what was there. A symbolic link stays, and what it leads to is written; what is no file, a device or a pipe,
+/// stays, too, and is written to as it is.
 ///
 /// @throws UserError
 void writeFile(const std::string& file, const std::string& content);

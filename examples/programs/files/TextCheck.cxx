@@ -6,23 +6,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <string_view>
+
+#include "TextLines.h"
 
 namespace shadow::examples
 {
 namespace
 {
-
-constexpr std::string_view BLANKS = " \t\r\f\v";
-
-// Takes the next word off the front; empty at the end.
-std::string_view nextWord(std::string_view& line)
-{
-  line.remove_prefix(std::min(line.find_first_not_of(BLANKS), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(BLANKS));
-  line.remove_prefix(word.size());
-  return word;
-}
 
 enum class Number
 {
@@ -31,13 +23,13 @@ enum class Number
   None
 };
 
-Number examine(std::string_view word)
+// @param value  the number
+Number examine(std::string_view word, double& value)
 {
   if (word.size() > 1 && word[0] == '+')
   {
     word.remove_prefix(1);
   }
-  double value = 0.0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || result.ptr != word.data() + word.size())
   {
@@ -50,37 +42,18 @@ Number examine(std::string_view word)
   return std::isfinite(value) ? Number::Finite : Number::NotFinite;
 }
 
-// A line of the file with those that it goes on in after a backslash; its number is that of the last.
-bool readLine(std::ifstream& stream, std::string& line, std::size_t& number)
-{
-  line.clear();
-  for (std::string part; std::getline(stream, part);)
-  {
-    ++number;
-    line += part;
-    while (!line.empty() && line.back() == '\r')
-    {
-      line.pop_back();
-    }
-    if (line.empty() || line.back() != '\\')
-    {
-      return true;
-    }
-    line.back() = ' ';
-  }
-  return !line.empty();
-}
-
 // Looks through an OBJ file line by line.
 class ObjCheck
 {
 public:
-  std::string find(const std::string& file)
+  ObjFindings find(const std::string& file)
   {
     std::ifstream stream(file, std::ios::binary);
+    ObjLines lines(stream);
     std::string damage;
-    for (std::string line; damage.empty() && readLine(stream, line, this->number);)
+    for (std::string line; damage.empty() && lines.next(line);)
     {
+      this->number = lines.getNumber();
       damage = this->checkLine(line);
     }
     for (std::size_t kind = 0; damage.empty() && kind < this->largest.size(); ++kind)
@@ -91,7 +64,11 @@ public:
         damage = this->missing(kind);
       }
     }
-    return damage.empty() ? damage : "line " + std::to_string(this->number) + ": " + damage;
+    ObjFindings findings;
+    findings.damage = damage.empty() ? damage : "line " + std::to_string(this->number) + ": " + damage;
+    findings.unusual = lines.hasUnusual() || this->emptyCornerEnds;
+    findings.shift = this->chooseShift();
+    return findings;
   }
 
 private:
@@ -115,7 +92,7 @@ private:
     std::string damage;
     if (key == "f")
     {
-      for (std::string_view word = nextWord(line); !word.empty() && word[0] != '#' && damage.empty();
+      for (std::string_view word = nextWord(line); !word.empty() && damage.empty();
            word = nextWord(line))
       {
         damage = this->checkCorner(word);
@@ -124,27 +101,49 @@ private:
     return damage;
   }
 
-  std::string checkPoint(std::string_view line) const
+  std::string checkPoint(std::string_view line)
   {
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
     {
       const std::string_view word = nextWord(line);
-      switch (examine(word))
+      double value = 0.0;
+      switch (examine(word, value))
       {
       case Number::None:
         return "a point needs three numbers";
       case Number::NotFinite:
         return "point " + std::to_string(this->counts[0]) + " is not finite";
       default:
+        this->lower[i] = std::min(this->lower[i], value);
+        this->upper[i] = std::max(this->upper[i], value);
         break;
       }
     }
     return {};
   }
 
+  // None where single precision has steps that nobody sees: a millionth of the size.
+  std::array<double, 3> chooseShift() const
+  {
+    double size = 0.0;
+    double magnitude = 0.0;
+    for (std::size_t i = 0; i < 3 && this->counts[0] > 0; ++i)
+    {
+      size = std::max(size, this->upper[i] - this->lower[i]);
+      magnitude = std::max({magnitude, std::abs(this->lower[i]), std::abs(this->upper[i])});
+    }
+    std::array<double, 3> shift = {0.0, 0.0, 0.0};
+    for (std::size_t i = 0; i < 3 && magnitude * 0x1p-24 > 1e-6 * size; ++i)
+    {
+      shift[i] = std::round(0.5 * this->lower[i] + 0.5 * this->upper[i]);
+    }
+    return shift;
+  }
+
   // "point", "point/texture", "point//normal" or "point/texture/normal"
   std::string checkCorner(std::string_view word)
   {
+    this->emptyCornerEnds = this->emptyCornerEnds || word.back() == '/';
     for (std::size_t kind = 0; kind < 3 && !word.empty(); ++kind)
     {
       const std::string_view text = word.substr(0, word.find('/'));
@@ -180,11 +179,27 @@ private:
   std::array<long long, 3> counts = {0, 0, 0}; ///< so far: points, texture coordinates, normals
   std::array<Use, 3> largest;
   std::size_t number = 0; ///< of the line
+  bool emptyCornerEnds = false;
+  static constexpr double most = std::numeric_limits<double>::max();
+  std::array<double, 3> lower = {most, most, most}; ///< of the points
+  std::array<double, 3> upper = {-most, -most, -most};
 };
+
+// Lines of a PLY file never go on in another.
+bool readPlyLine(std::ifstream& stream, std::string& line, std::size_t& number)
+{
+  const bool read = static_cast<bool>(std::getline(stream, line));
+  number += read ? 1 : 0;
+  while (!line.empty() && line.back() == '\r')
+  {
+    line.pop_back();
+  }
+  return read;
+}
 
 } // namespace
 
-std::string findObjDamage(const std::string& file)
+ObjFindings checkObj(const std::string& file)
 {
   return ObjCheck().find(file);
 }
@@ -195,17 +210,18 @@ std::string findPlyDamage(const std::string& file)
   std::string line;
   std::size_t number = 0;
   bool text = false;
-  for (bool header = true; header && readLine(stream, line, number);)
+  for (bool header = true; header && readPlyLine(stream, line, number);)
   {
     text = text || line.rfind("format ascii", 0) == 0;
     header = line.rfind("end_header", 0) != 0;
   }
-  while (text && readLine(stream, line, number))
+  while (text && readPlyLine(stream, line, number))
   {
     std::string_view rest = line;
     for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest))
     {
-      if (examine(word) == Number::None)
+      double value = 0.0;
+      if (examine(word, value) == Number::None)
       {
         return "line " + std::to_string(number) + ": not a number";
       }

@@ -3,18 +3,20 @@
 
 #include <string>
 
+#include "ObjCopy.h"
+
 namespace shadow::examples
 {
 
 // VTK's readers of these two text formats take what is no number for 0, and vtkOBJReader uses indices of
 // texture coordinates and normals unseen. So their files are looked through first.
 
-/// What is wrong with an OBJ file, as "line 3: ..."; empty when nothing is.
+/// What is wrong with an OBJ file, and what its reader has to be helped with.
 ///
 /// Looks at points and faces: three finite coordinates, and indices of points, texture coordinates and
 /// normals that are there.
 /// @par Cost  reads the file once
-std::string findObjDamage(const std::string& file);
+ObjFindings checkObj(const std::string& file);
 
 /// What is wrong with the numbers of a PLY file in text form; empty when nothing is or when it is in binary
 /// form.

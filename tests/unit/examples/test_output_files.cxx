@@ -11,6 +11,11 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
+#include <utility>
+
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 namespace
 {
@@ -48,6 +53,74 @@ TEST_F(OutputFiles, NumberedName_StandsBeforeTheEnding)
 {
   EXPECT_EQ(numberedName("a.b/shadow.png", "0003"), "a.b/shadow-0003.png");
   EXPECT_EQ(numberedName("shadow.v2.png", "1"), "shadow.v2-1.png");
+}
+
+// What a name leads to is written, and every link and pipe is what it was.
+TEST_F(OutputFiles, SymbolicLinks_AreFollowed)
+{
+  fs::create_directory(this->path("there"));
+  writeFile(this->path("there/a.txt"), "first");
+  fs::create_symlink("there/a.txt", this->path("link"));
+  fs::create_symlink("link", this->path("link-to-link"));
+  fs::create_symlink("there/new.txt", this->path("dangling"));
+  for (const std::string name : {"link-to-link", "dangling"})
+  {
+    checkTarget("--report", this->path(name), "");
+    writeFile(this->path(name), name);
+    EXPECT_TRUE(fs::is_symlink(this->path(name)));
+  }
+  EXPECT_TRUE(fs::is_symlink(this->path("link")));
+  EXPECT_EQ(contentOf(this->path("there/a.txt")), "link-to-link");
+  EXPECT_EQ(contentOf(this->path("there/new.txt")), "dangling");
+}
+
+TEST_F(OutputFiles, LinksInACircle_AreRefused)
+{
+  fs::create_symlink("b", this->path("a"));
+  fs::create_symlink("a", this->path("b"));
+  EXPECT_THROW(checkTarget("--report", this->path("a"), ""), UserError);
+  EXPECT_THROW(writeFile(this->path("a"), "x"), UserError);
+  EXPECT_TRUE(fs::is_symlink(this->path("a")) && fs::is_symlink(this->path("b")));
+}
+
+TEST_F(OutputFiles, Pipe_IsWrittenToAndStays)
+{
+  const std::string pipe = this->path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  checkTarget("--report", pipe, "");
+  std::string read;
+  std::thread reader([&] { read = contentOf(pipe); });
+  writeFile(pipe, "through the pipe");
+  reader.join();
+  EXPECT_EQ(read, "through the pipe");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(this->fileCount(), 1u);
+}
+
+// A node of the kind that /dev/null is, and /dev/full, which takes nothing.
+TEST_F(OutputFiles, Device_IsWrittenToAndStays)
+{
+  for (const auto& [name, minor] : {std::pair("null", 3u), std::pair("full", 7u)})
+  {
+    const std::string node = this->path(name);
+    if (mknod(node.c_str(), S_IFCHR | 0600, makedev(1, minor)) != 0)
+    {
+      fs::create_symlink(std::string("/dev/") + name, node); // not root: the real one may be written to as well
+    }
+    checkTarget("--report", node, "");
+    if (std::ofstream(node).is_open())
+    {
+      if (minor == 3u)
+      {
+        writeFile(node, "gone");
+      }
+      else
+      {
+        EXPECT_THROW(writeFile(node, "too much"), UserError);
+      }
+    }
+    EXPECT_TRUE(fs::is_character_file(node));
+  }
 }
 
 TEST_F(OutputFiles, WriteFile_ReplacesAndLeavesNothingElse)
