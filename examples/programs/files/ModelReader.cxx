@@ -1,5 +1,6 @@
 #include "ModelReader.h"
 
+#include "GltfCopy.h"
 #include "MeshCheck.h"
 #include "ObjCopy.h"
 #include "ReaderGuard.h"
@@ -47,10 +48,10 @@ struct RawPart
   std::optional<Vector3> colour;
 };
 
-using ReadFunction = std::function<std::vector<RawPart>(const std::string&)>;
+using ReadFunction = std::function<std::vector<RawPart>(const std::string&, std::vector<std::string>&)>;
 
 template <typename Reader>
-std::vector<RawPart> readWith(const std::string& file)
+std::vector<RawPart> readWith(const std::string& file, std::vector<std::string>& /*warnings*/)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
@@ -71,7 +72,7 @@ bool isTextStl(const std::string& header)
 
 // vtkSTLReader reads to the end of the file whatever the header says, so a file that was cut off or is no STL
 // at all would become a mesh of random triangles.
-std::vector<RawPart> readStl(const std::string& file)
+std::vector<RawPart> readStl(const std::string& file, std::vector<std::string>& warnings)
 {
   constexpr std::size_t headerSize = 84; // 80 bytes of text and the number of triangles
   std::ifstream stream(file, std::ios::binary);
@@ -89,19 +90,19 @@ std::vector<RawPart> readStl(const std::string& file)
       throw UserError("cannot be read: neither text nor as long as its header says");
     }
   }
-  return readWith<vtkSTLReader>(file);
+  return readWith<vtkSTLReader>(file, warnings);
 }
 
 // Looks at a text file before its reader does.
 template <typename Reader, std::string (*findDamageIn)(const std::string&)>
-std::vector<RawPart> readTextWith(const std::string& file)
+std::vector<RawPart> readTextWith(const std::string& file, std::vector<std::string>& warnings)
 {
   const std::string damage = findDamageIn(file);
   if (!damage.empty())
   {
     throw UserError(damage);
   }
-  return readWith<Reader>(file);
+  return readWith<Reader>(file, warnings);
 }
 
 // Points in double precision, moved by what they are relative to.
@@ -124,7 +125,7 @@ void movePoints(vtkDataSet* data, const std::array<double, 3>& by)
   pointSet->SetPoints(moved);
 }
 
-std::vector<RawPart> readObj(const std::string& file)
+std::vector<RawPart> readObj(const std::string& file, std::vector<std::string>& warnings)
 {
   const ObjFindings findings = checkObj(file);
   if (!findings.damage.empty())
@@ -134,10 +135,10 @@ std::vector<RawPart> readObj(const std::string& file)
   const bool isFar = findings.shift != std::array<double, 3>{0.0, 0.0, 0.0};
   if (!findings.unusual && !isFar)
   {
-    return readWith<vtkOBJReader>(file);
+    return readWith<vtkOBJReader>(file, warnings);
   }
   const ObjCopy copy(file, findings.shift);
-  std::vector<RawPart> parts = readWith<vtkOBJReader>(copy.getName());
+  std::vector<RawPart> parts = readWith<vtkOBJReader>(copy.getName(), warnings);
   for (const RawPart& part : parts)
   {
     if (isFar)
@@ -164,10 +165,11 @@ std::optional<Vector3> findColour(vtkDataObject* block)
   return result;
 }
 
-std::vector<RawPart> readGltf(const std::string& file)
+std::vector<RawPart> readGltf(const std::string& file, std::vector<std::string>& warnings)
 {
+  const GltfCopy copy(file, warnings);
   vtkNew<vtkGLTFReader> reader;
-  reader->SetFileName(file.c_str());
+  reader->SetFileName(copy.getName().c_str());
   reader->ApplyDeformationsToGeometryOn(); // the nodes' transforms, too
   reader->Update();
   std::vector<RawPart> parts;
@@ -269,7 +271,7 @@ Model readChecked(const std::string& file, std::vector<std::string>& warnings)
   const ReadFunction& read = findReader(file);
   checkFile(file);
   VtkMessages messages;
-  const std::vector<RawPart> rawParts = read(file);
+  const std::vector<RawPart> rawParts = read(file, warnings);
   checkMessages(messages, warnings);
 
   Model model;
