@@ -3,8 +3,8 @@
 // unif clipFromMC  mat4  see shadowClipFromWC()
 // unif lightMC     vec4  w = 1 position, w = 0 direction towards the light; volumes only
 // unif lightLowMC  vec3  what lightMC lost when it was rounded to floats
-// unif rayLength   float  how long the direction of a point light's ray is made: where it is much shorter than what is seen, as
-//                         close to the light, what lies far along the ray would be the quotient of tiny differences
+// unif rayLength   float  how long the direction of a point light's ray is made at least: where it is much shorter than what is
+//                         seen, as close to the light, what lies far along the ray would be the quotient of tiny differences
 // unif farPlaneMC  vec4  plane that far copies are projected on from the light; (0, 0, 0, 1) is the plane at infinity
 // unif depthBias   vec2  x scales depth, y shifts it; (1, 0) leaves it as it is
 // unif nearFromMC  vec4  dot with the position: distance in front of the near plane; parallel views only
@@ -40,9 +40,14 @@ vec4 copyOf(vec3 vertexMC, bool isFar)
     SHADOW_PRECISE vec3 rayMC = fromHigh - lightLowMC;
     vec3 size = abs(rayMC);
     float largest = max(max(size.x, size.y), size.z);
+    if (lightMC.w == 0.0 || largest >= rayLength)
+    {
+      // Rays that meet in one point bit for bit make smoother sides, where the light is not close.
+      return dot(farPlaneMC, lightMC) * positionMC - dot(farPlaneMC, positionMC) * lightMC;
+    }
     // By a power of two, which rounds nothing.
-    float longer = largest > 0.0 ? exp2(floor(log2(rayLength / largest))) : 1.0;
-    positionMC = endOf(positionMC, lightMC.w == 0.0 ? rayMC : longer * rayMC);
+    float longer = largest > 0.0 ? exp2(ceil(log2(rayLength / largest))) : 1.0;
+    positionMC = endOf(positionMC, longer * rayMC);
   }
   return positionMC;
 }

@@ -110,8 +110,7 @@ void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC, double reach
   const SplitVector parts = split(glm::dvec3(lightMC));
   setUniform(program, "lightMC", glm::dvec4(parts.high, lightMC.w));
   program->SetUniform3f("lightLowMC", glm::value_ptr(parts.low));
-  // Longer than what is seen of most scenes; far too long is as good.
-  program->SetUniformf("rayLength", static_cast<float>(4096.0 * reach));
+  program->SetUniformf("rayLength", static_cast<float>(0.125 * reach));
 }
 
 } // namespace shadow
