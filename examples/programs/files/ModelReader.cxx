@@ -1,9 +1,11 @@
 #include "ModelReader.h"
 
 #include "GltfCopy.h"
+#include "MemoryCap.h"
 #include "MeshCheck.h"
 #include "ObjCopy.h"
 #include "ReaderGuard.h"
+#include "StlFile.h"
 #include "TextCheck.h"
 #include "UserError.h"
 #include "VtkMessages.h"
@@ -26,11 +28,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 
 #include <unistd.h>
 
@@ -60,37 +61,10 @@ std::vector<RawPart> readWith(const std::string& file, std::vector<std::string>&
   return data != nullptr ? std::vector<RawPart>{{data, std::nullopt}} : std::vector<RawPart>{};
 }
 
-// A text STL begins with "solid", and so do the headers of some binary ones; those have a zero byte in their
-// count.
-bool isTextStl(const std::string& header)
-{
-  std::string word = header.substr(std::min(header.find_first_not_of(" \t\r\n"), header.size()), 5);
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word == "solid" && header.find('\0') == std::string::npos;
-}
-
-// vtkSTLReader reads to the end of the file whatever the header says, so a file that was cut off or is no STL
-// at all would become a mesh of random triangles.
 std::vector<RawPart> readStl(const std::string& file, std::vector<std::string>& warnings)
 {
-  constexpr std::size_t headerSize = 84; // 80 bytes of text and the number of triangles
-  std::ifstream stream(file, std::ios::binary);
-  std::string header(headerSize, ' ');
-  stream.read(header.data(), headerSize);
-  if (static_cast<std::size_t>(stream.gcount()) == headerSize && !isTextStl(header))
-  {
-    std::uint64_t count = 0;
-    for (std::size_t i = headerSize; i-- > headerSize - 4;)
-    {
-      count = count * 256 + static_cast<unsigned char>(header[i]);
-    }
-    if (std::filesystem::file_size(file) != headerSize + 50 * count)
-    {
-      throw UserError("cannot be read: neither text nor as long as its header says");
-    }
-  }
-  return readWith<vtkSTLReader>(file, warnings);
+  const std::unique_ptr<TemporaryModel> copy = checkStl(file);
+  return readWith<vtkSTLReader>(copy != nullptr ? copy->getName() : file, warnings);
 }
 
 // Looks at a text file before its reader does.
@@ -271,7 +245,11 @@ Model readChecked(const std::string& file, std::vector<std::string>& warnings)
   const ReadFunction& read = findReader(file);
   checkFile(file);
   VtkMessages messages;
-  const std::vector<RawPart> rawParts = read(file, warnings);
+  std::vector<RawPart> rawParts;
+  {
+    const MemoryCap cap(std::filesystem::file_size(file));
+    rawParts = read(file, warnings);
+  }
   checkMessages(messages, warnings);
 
   Model model;

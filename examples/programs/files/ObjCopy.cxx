@@ -1,17 +1,12 @@
 #include "ObjCopy.h"
 
-#include <charconv>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <limits>
 #include <string_view>
 
-#include <unistd.h>
-
 #include "TextLines.h"
-#include "UserError.h"
 
 namespace shadow::examples
 {
@@ -43,18 +38,12 @@ void copyCorners(std::string_view key, std::string_view rest, std::ostream& copy
 } // namespace
 
 ObjCopy::ObjCopy(const std::string& file, const std::array<double, 3>& shift)
-    : name((std::filesystem::temp_directory_path() / "model-XXXXXX.obj").string())
+    : TemporaryModel(".obj")
 {
-  const int descriptor = mkstemps(this->name.data(), 4);
-  if (descriptor < 0)
-  {
-    throw UserError("needs a copy for its reader, which cannot be written to " + this->name);
-  }
-  close(descriptor);
-  std::ifstream stream(file, std::ios::binary);
-  std::ofstream copy(this->name, std::ios::binary);
+  std::ifstream original(file, std::ios::binary);
+  std::ostream& copy = this->getStream();
   copy << std::setprecision(std::numeric_limits<double>::max_digits10);
-  ObjLines lines(stream);
+  ObjLines lines(original);
   for (std::string line; lines.next(line);)
   {
     std::string_view rest = line;
@@ -72,17 +61,7 @@ ObjCopy::ObjCopy(const std::string& file, const std::array<double, 3>& shift)
       copy << key << rest << '\n';
     }
   }
-  copy.close();
-  if (!copy)
-  {
-    unlink(this->name.c_str());
-    throw UserError("needs a copy for its reader, which cannot be written to " + this->name);
-  }
-}
-
-ObjCopy::~ObjCopy()
-{
-  unlink(this->name.c_str());
+  this->finish();
 }
 
 } // namespace shadow::examples

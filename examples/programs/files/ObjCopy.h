@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "TemporaryModel.h"
+
 namespace shadow::examples
 {
 
@@ -17,20 +19,12 @@ struct ObjFindings
 };
 
 /// A temporary copy of an OBJ file as VTK's reader understands it: whole lines without comments, corners without
-/// empty ends, points relative to a shift. Removed with this object.
-class ObjCopy
+/// empty ends, points relative to a shift.
+class ObjCopy : public TemporaryModel
 {
 public:
   /// @throws UserError when no file can be written
   ObjCopy(const std::string& file, const std::array<double, 3>& shift);
-  ~ObjCopy();
-  ObjCopy(const ObjCopy&) = delete;
-  ObjCopy& operator=(const ObjCopy&) = delete;
-
-  const std::string& getName() const { return this->name; }
-
-private:
-  std::string name;
 };
 
 } // namespace shadow::examples

@@ -210,10 +210,18 @@ std::string findPlyDamage(const std::string& file)
   std::string line;
   std::size_t number = 0;
   bool text = false;
+  bool strips = false;
+  bool faces = false;
   for (bool header = true; header && readPlyLine(stream, line, number);)
   {
     text = text || line.rfind("format ascii", 0) == 0;
     header = line.rfind("end_header", 0) != 0;
+    strips = strips || line.rfind("element tristrips ", 0) == 0;
+    faces = faces || line.rfind("element face ", 0) == 0;
+  }
+  if (strips && !faces)
+  {
+    return "its triangles are strips (element tristrips), which are not read";
   }
   while (text && readPlyLine(stream, line, number))
   {

@@ -3,7 +3,9 @@
 Each has to give the mask of the same mesh written plainly.
 """
 
+import base64
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -20,15 +22,25 @@ def obj(vertex="v {} {} {}\n", face="f {}\n", corner="{}", head=""):
     return head + "".join(vertex.format(*point) for point in POINTS) + "".join(face.format(line) for line in faces)
 
 
+def stl(head="solid cube\n", tail="endsolid cube\n"):
+    facets = []
+    for line in FACES:
+        a, b, c, d = (POINTS[int(index) - 1] for index in line.split())
+        for corners in ((a, b, c), (a, c, d)):
+            vertices = "".join("      vertex {} {} {}\n".format(*point) for point in corners)
+            facets.append(f"  facet normal 0 0 0\n    outer loop\n{vertices}    endloop\n  endfacet\n")
+    return head + "".join(facets) + tail
+
+
 class TextFiles(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
 
-    def draw(self, text, *options):
+    def draw(self, text, *options, name="mesh.obj"):
         folder = pathlib.Path(self.folder.name)
-        (folder / "mesh.obj").write_bytes(text.encode())
-        run = subprocess.run([PROGRAM, "mesh.obj", "--size", "160x120", "--mask", "mask.png", *options],
+        (folder / name).write_bytes(text.encode())
+        run = subprocess.run([PROGRAM, name, "--size", "160x120", "--mask", "mask.png", *options],
                              cwd=folder, capture_output=True, text=True)
         self.assertEqual(run.returncode, 0, run.stderr)
         return (folder / "mask.png").read_bytes()
@@ -51,6 +63,47 @@ class TextFiles(unittest.TestCase):
         for name, text in variants.items():
             with self.subTest(name):
                 self.assertEqual(self.draw(text), plain)
+
+    def test_stl_same_mask(self):
+        plain = self.draw(stl(), name="mesh.stl")
+        variants = {
+            "byte order mark": stl(head="\ufeffsolid cube\n"),
+            "comments and empty lines before": stl(head="# made by hand\n\n; and so on\nsolid cube\n"),
+            "a long name": stl(head="solid " + "n" * 400 + "\n"),
+            "a long name at the end": stl(tail="endsolid " + "n" * 4000 + "\n"),
+            "CRLF": stl().replace("\n", "\r\n"),
+            "upper case": stl(head="SOLID CUBE\n", tail="ENDSOLID CUBE\n"),
+        }
+        for name, text in variants.items():
+            with self.subTest(name):
+                self.assertEqual(self.draw(text, name="mesh.stl"), plain)
+
+    def refuse(self, data, name, *words):
+        folder = pathlib.Path(self.folder.name)
+        (folder / name).write_bytes(data)
+        run = subprocess.run([PROGRAM, name, "--size", "64x48"], cwd=folder, capture_output=True, text=True, timeout=20)
+        self.assertEqual(run.returncode, 1)
+        self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+        for word in words:
+            self.assertIn(word, run.stderr)
+
+    def test_ply_strips_are_named(self):
+        text = ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.refuse(text.encode(), "mesh.ply", "tristrips")
+
+    def test_small_file_that_asks_for_all_memory(self):
+        """A block of compressed data whose header claims to be of four terabytes."""
+        header = struct.pack("<4Q", 1, 1 << 42, 0, 64)
+        block = base64.b64encode(header).decode() + base64.b64encode(bytes(64)).decode()
+        array = '<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="binary">' + block + "</DataArray>"
+        text = ('<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64" '
+                'compressor="vtkZLibDataCompressor"><PolyData><Piece NumberOfPoints="366503875925" NumberOfVerts="0" '
+                'NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="1"><Points>' + array.format("Float32", "Points", 3)
+                + "</Points><Polys>" + array.format("Int64", "connectivity", 1) + array.format("Int64", "offsets", 1)
+                + "</Polys></Piece></PolyData></VTKFile>")
+        self.refuse(text.encode(), "mesh.vtp", "mesh.vtp: ")
 
     def test_map_coordinates(self):
         """Far from the origin, where single precision has steps of half a metre: the mask of the mesh at the origin."""
