@@ -174,7 +174,10 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners,
       this->method == StencilMethod::ZPass || (this->method == StencilMethod::Auto && nearIsLit);
   result.count = zPass ? StencilCount::ZPass : StencilCount::ZFail;
   const std::optional<glm::dvec4> sceneEnd = this->chooseSceneEnd(light, corners, result.count);
-  result.farPlaneWC = sceneEnd.value_or(result.farPlaneWC);
+  if (sceneEnd || this->view.parallel)
+  {
+    result.farPlaneWC = sceneEnd ? *sceneEnd : this->endOfParallelView(light);
+  }
   if (zPass)
   {
     // A cap lies on the caster's own surface, so it is in front of what is seen only where that surface is
@@ -184,10 +187,6 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners,
   }
   const bool explicitZFail = this->method == StencilMethod::ZFail;
   result.lightCap = explicitZFail || inView;
-  if (!sceneEnd && this->view.parallel)
-  {
-    result.farPlaneWC = this->endOfParallelView(light);
-  }
   if (light.positionWC.w != 0.0 || !result.isFarAtInfinity())
   {
     const bool fan = sceneEnd || lightOutsideBoundingSphere(light, corners);
@@ -258,6 +257,7 @@ std::optional<glm::dvec4> CasterCuller::chooseSceneEnd(const Light& light, const
 // All rays of a parallel view end at one point at infinity, and no cap that a rasteriser could draw lies there.
 // So volumes end behind all that is seen, and behind the light, across the view: a cap there is what of that
 // plane lies in the shadow. Rays that never meet it go on to infinity, see endOf() in shaders/extrusion.glsl.
+// Without a cap, too: a side nearly along the view would be as deep as it is wide by rounding.
 glm::dvec4 CasterCuller::endOfParallelView(const Light& light) const
 {
   const double lightDepth =
