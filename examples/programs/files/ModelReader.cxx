@@ -67,16 +67,14 @@ std::vector<RawPart> readStl(const std::string& file, std::vector<std::string>& 
   return readWith<vtkSTLReader>(copy != nullptr ? copy->getName() : file, warnings);
 }
 
-// Looks at a text file before its reader does.
-template <typename Reader, std::string (*findDamageIn)(const std::string&)>
-std::vector<RawPart> readTextWith(const std::string& file, std::vector<std::string>& warnings)
+std::vector<RawPart> readPly(const std::string& file, std::vector<std::string>& warnings)
 {
-  const std::string damage = findDamageIn(file);
+  const std::string damage = findPlyDamage(file);
   if (!damage.empty())
   {
     throw UserError(damage);
   }
-  return readWith<Reader>(file, warnings);
+  return readWith<vtkPLYReader>(file, warnings);
 }
 
 // Points in double precision, moved by what they are relative to.
@@ -167,7 +165,7 @@ const std::map<std::string, ReadFunction>& readers()
 {
   static const std::map<std::string, ReadFunction> table = {
       {"obj", readObj},
-      {"ply", readTextWith<vtkPLYReader, findPlyDamage>},
+      {"ply", readPly},
       {"stl", readStl},
       {"vtp", readWith<vtkXMLPolyDataReader>},
       {"vtk", readWith<vtkGenericDataObjectReader>},

@@ -1,6 +1,5 @@
 #include "FacingDecider.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
