@@ -65,6 +65,7 @@ bool ShadowVolumeGPUEffect::findFacing(const Frame& frame, std::string& error)
   gpuFrame.drawables = &this->getDrawables();
   gpuFrame.clipFromWC = this->getClipFromWC(frame.view);
   gpuFrame.reversedDepth = this->getDepthRange().reversed;
+  gpuFrame.software = this->getCapabilities().software;
   if (this->method->needsCollection())
   {
     try

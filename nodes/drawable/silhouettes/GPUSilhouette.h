@@ -47,6 +47,7 @@ public:
     DrawableCache* drawables = nullptr;
     glm::dmat4 clipFromWC{1.0}; ///< with the depth row of the shadow stages
     bool reversedDepth = true;  ///< see DepthRange
+    bool software = false;      ///< see Capabilities
   };
 
   /// A geode on one path.

@@ -7,6 +7,18 @@
 namespace shadow
 {
 
+// Through a geometry shader only where depth is rounded differently after one: it takes time, and one of NVIDIA's compilers
+// (580.159) gives surface.geom zero for what the third corner hands on.
+ShadowPrograms::Stage GeometryShaderSilhouette::getVolumeStage() const
+{
+  return this->getFrame().software ? ShadowPrograms::VolumeInColorHandedOn : ShadowPrograms::VolumeInColor;
+}
+
+ShadowPrograms::Stage GeometryShaderSilhouette::getSurfaceStage() const
+{
+  return this->getFrame().software ? ShadowPrograms::SurfacePrePassHandedOn : ShadowPrograms::SurfacePrePass;
+}
+
 bool GeometryShaderSilhouette::drawVolume(const Surface& surface, const Light& light, StencilCount count)
 {
   const PathLightState& state = surface.state->lights.at(light.index);

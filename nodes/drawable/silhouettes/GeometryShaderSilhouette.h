@@ -16,10 +16,10 @@ class GeometryShaderSilhouette : public GPUSilhouette
 public:
   bool drawVolume(const Surface& surface, const Light& light, StencilCount count) override;
 
-  ShadowPrograms::Stage getVolumeStage() const override { return ShadowPrograms::VolumeInColorHandedOn; }
+  ShadowPrograms::Stage getVolumeStage() const override;
 
 protected:
-  ShadowPrograms::Stage getSurfaceStage() const override { return ShadowPrograms::SurfacePrePassHandedOn; }
+  ShadowPrograms::Stage getSurfaceStage() const override;
 };
 
 } // namespace shadow

@@ -12,6 +12,10 @@
 #include <vtkRenderStepsPass.h>
 #include <vtkTexture.h>
 
+#include <gtest/gtest.h>
+
+#include "Capabilities.h"
+
 namespace shadow::test
 {
 
@@ -80,6 +84,12 @@ std::array<int, 2> BallScene::toPixel(const glm::dvec3& pointWC)
   this->renderer->WorldToDisplay();
   const double* display = this->renderer->GetDisplayPoint();
   return {static_cast<int>(std::floor(display[0])), static_cast<int>(std::floor(display[1]))};
+}
+
+void BallScene::expectHiddenBacks(int onSoftware)
+{
+  this->window->MakeCurrent();
+  EXPECT_EQ(this->pass->GetNumberOfHiddenBacks(), queryCapabilities().software ? onSoftware : 0);
 }
 
 int BallScene::maskAt(const glm::dvec3& pointWC, int light)

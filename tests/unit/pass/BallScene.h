@@ -50,6 +50,10 @@ public:
   /// The pixel in which a world point lies.
   std::array<int, 2> toPixel(const glm::dvec3& pointWC);
 
+  /// Expects that many actors' backs to have been left out of the picture: none where the GL is no software,
+  /// since the pass does not look for them there.
+  void expectHiddenBacks(int onSoftware);
+
   int maskAt(const glm::dvec3& pointWC, int light = 0);   ///< renders
   double greyAt(const glm::dvec3& pointWC);               ///< renders; mean of red, green and blue
   std::array<int, 3> colourAt(const glm::dvec3& pointWC); ///< renders

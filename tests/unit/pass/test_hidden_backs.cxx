@@ -50,7 +50,7 @@ public:
   }
 
   /// Renders twice, the second time with the lamp elsewhere and all else where it was.
-  /// @param hidden  actors whose backs are left out
+  /// @param hidden  actors whose backs are left out, see expectHiddenBacks()
   void expectWholePicture(int hidden)
   {
     Pixels pictures[2];
@@ -58,7 +58,7 @@ public:
     {
       this->moveLamp();
       picture = this->renderPicture();
-      EXPECT_EQ(this->pass->GetNumberOfHiddenBacks(), hidden);
+      this->expectHiddenBacks(hidden);
     }
     this->table->ForceOpaqueOn();
     for (const Pixels& picture : {pictures[1], pictures[0]})
@@ -225,7 +225,7 @@ TEST(HiddenBacks, MultisampledWindow_NothingLeftOut)
 {
   LargeBallScene scene;
   const Pixels jagged = scene.renderPicture();
-  EXPECT_EQ(scene.pass->GetNumberOfHiddenBacks(), 1);
+  scene.expectHiddenBacks(1);
   scene.window->SetMultiSamples(4);
   const Pixels smooth = scene.renderPicture();
   EXPECT_GT(countDifferent(jagged, smooth, 10), 100U) << "the window has one sample a pixel";

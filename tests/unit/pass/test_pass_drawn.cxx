@@ -252,7 +252,7 @@ TEST(PassDrawn, EdgesOfHiddenBacks_AsVtkDrawsThem)
   scene.renderPicture();
   scene.lamp->SetPosition(-2.0, 4.0, 0.5);
   scene.renderPicture();
-  EXPECT_EQ(scene.pass->GetNumberOfHiddenBacks(), 1);
+  scene.expectHiddenBacks(1);
   scene.ballActor->GetProperty()->EdgeVisibilityOn();
   scene.renderPicture();
   scene.lamp->SetPosition(-2.1, 4.0, 0.5);
