@@ -206,7 +206,12 @@ bool CasterCuller::nothingBehind(const SEDGeometry& geometry, const glm::dmat4& 
   }
   glm::dvec4 plane = *geometry.getCommonPlane() * glm::inverse(worldFromRelative(geometry, wcFromModel));
   plane /= glm::length(glm::dvec3(plane));
-  plane = glm::dot(plane, light.positionWC) < 0.0 ? -plane : plane;
+  const double height = glm::dot(plane, light.positionWC);
+  if (std::abs(height) <= slack(plane, glm::dvec3(light.positionWC)))
+  {
+    return false; // which side the light is on is up to exact arithmetic
+  }
+  plane = height < 0.0 ? -plane : plane;
   const glm::dvec3& lower = this->sceneBounds.lowerWC;
   const glm::dvec3& upper = this->sceneBounds.upperWC;
   // The corner that lies deepest behind the plane.
