@@ -54,7 +54,7 @@ double SceneFrame::reachOf(const glm::dvec3& lowerWC, const glm::dvec3& upperWC)
 SceneFrame SceneFrame::around(const glm::dvec3& lowerWC, const glm::dvec3& upperWC)
 {
   SceneFrame frame;
-  frame.originWC = nearestGridPoint(0.5 * lowerWC + 0.5 * upperWC, upperWC - lowerWC);
+  frame.originWC = chooseGridOrigin(lowerWC, upperWC);
   frame.unit = powerOfTwoAbove(frame.reachOf(lowerWC, upperWC));
   return frame;
 }

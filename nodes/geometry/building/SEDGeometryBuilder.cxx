@@ -119,8 +119,7 @@ bool SEDGeometryBuilder::chooseOrigin(const TriangleSoup& soup, std::string& err
       upper = glm::max(upper, soup.points[point]);
     }
   }
-  // Halved before they are added: the sum of two large coordinates may overflow.
-  this->geometry.origin = nearestGridPoint(0.5 * lower + 0.5 * upper, upper - lower);
+  this->geometry.origin = chooseGridOrigin(lower, upper);
   const glm::dvec3 reach = glm::max(upper - this->geometry.origin, this->geometry.origin - lower);
   // Not by a conversion to float and back: GCC 12 takes two of these, vectorised, for nothing.
   constexpr double farthest = std::numeric_limits<float>::max();

@@ -1,8 +1,11 @@
 #include "CertainPixels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "ShadowingRange.h"
 
 namespace shadow::fuzz
 {
@@ -11,6 +14,7 @@ namespace
 {
 
 constexpr double roundings = 32.0 * std::numeric_limits<double>::epsilon();
+constexpr double depthRoundings = 4.0 * std::numeric_limits<float>::epsilon();
 
 double getLargestCoordinate(const truth::Scene& scene, const glm::dvec4& lightPosition)
 {
@@ -25,11 +29,15 @@ double getLargestCoordinate(const truth::Scene& scene, const glm::dvec4& lightPo
   return largest;
 }
 
-std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const truth::Scene& scene,
-                                         const truth::Light& light)
+/// Half the side of the cube that the light is moved in.
+double getHalfSide(const truth::Scene& scene, const truth::Light& light)
 {
   const bool isPositional = light.positionWC.w != 0.0;
-  const double far = roundings * (isPositional ? getLargestCoordinate(scene, light.positionWC) : 1.0);
+  return roundings * (isPositional ? getLargestCoordinate(scene, light.positionWC) : 1.0);
+}
+
+std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const truth::Light& light, double far)
+{
   std::vector<truth::LocalLight> moved = {caster.localLight(light)};
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -47,14 +55,15 @@ std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const t
 std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, const truth::Scene& scene,
                                                 bool doublePoints)
 {
-  // From roundings of double to roundings of single precision.
+  // From roundings of double to those of single precision, of what is drawn: relative to an origin in the scene.
   const double coarser = doublePoints ? std::exp2(29.0) : 1.0;
+  const glm::dvec3 drawnFrom = doublePoints ? caster.originWC() : glm::dvec3(0.0);
   std::vector<truth::LocalTriangle> triangles;
   for (const truth::Triangle& triangle : scene.triangles)
   {
     const double largest =
-        std::max({truth::largestCoordinate(triangle.a), truth::largestCoordinate(triangle.b),
-                  truth::largestCoordinate(triangle.c)});
+        std::max({truth::largestCoordinate(triangle.a - drawnFrom), truth::largestCoordinate(triangle.b - drawnFrom),
+                  truth::largestCoordinate(triangle.c - drawnFrom)});
     triangles.push_back({triangle.a - caster.originWC(), triangle.b - caster.originWC(),
                        triangle.c - caster.originWC(), coarser * truth::vertexRounding(largest),
                        static_cast<std::uint32_t>(triangles.size()), triangle.casts, false, false});
@@ -68,13 +77,19 @@ bool isGrazing(const truth::LocalTriangle& triangle, const glm::dvec3& direction
   return std::abs(glm::dot(normal, direction)) < 1e-6 * glm::length(normal) * glm::length(direction);
 }
 
+/// Whether a point is on the triangle, seen along its normal.
+bool isInPrism(const truth::LocalTriangle& triangle, const glm::dvec3& point, const glm::dvec3& normal)
+{
+  return truth::lineVolumes(triangle, point - normal, normal).crosses();
+}
+
 } // namespace
 
 CertainPixels::CertainPixels(const truth::Scene& scene, const truth::View& view,
                              const truth::Light& light, bool doublePoints)
     : caster(scene), truth(caster, view, light), rays(view, caster.originWC()),
       triangles(makeTriangles(caster, scene, doublePoints)),
-      movedLights(moveLight(caster, scene, light)), known(truth.mask().size(), -1)
+      halfSide(getHalfSide(scene, light)), movedLights(moveLight(caster, light, halfSide)), known(truth.mask().size(), -1)
 {
 }
 
@@ -84,14 +99,27 @@ bool CertainPixels::isCertain(int x, int y) const
   signed char& certain = this->known[pixel];
   if (certain < 0)
   {
-    const truth::Ray ray = this->rays.through(x + 0.5, y + 0.5);
-    const bool isShadowed = this->getMask()[pixel] == 0;
-    certain = this->truth.isCertain(x, y) && this->hasSameAnswerNearby(ray, isShadowed) &&
-                      !this->isInPlaneOfLight(ray)
-                  ? 1
-                  : 0;
+    certain = this->findCertainty(x, y) ? 1 : 0;
   }
   return certain != 0;
+}
+
+bool CertainPixels::findCertainty(int x, int y) const
+{
+  const std::size_t pixel = static_cast<std::size_t>(y) * this->getWidth() + x;
+  const bool isShadowed = this->getMask()[pixel] == 0;
+  const bool isBackground = !this->caster.firstHit(this->rays.through(x + 0.5, y + 0.5));
+  constexpr double off = truth::MaskTruth::certainOffset;
+  const std::array<glm::dvec2, 5> places = {glm::dvec2(0.0), glm::dvec2(-off, -off), glm::dvec2(-off, off),
+                                            glm::dvec2(off, -off), glm::dvec2(off, off)};
+  return std::all_of(places.begin(), places.end(),
+                     [&](const glm::dvec2& place)
+                     {
+                       const truth::Ray ray = this->rays.through(x + 0.5 + place.x, y + 0.5 + place.y);
+                       return !this->caster.firstHit(ray) == isBackground &&
+                              this->hasSameAnswerNearby(ray, isShadowed) && !this->isInPlaneOfLight(ray) &&
+                              this->hasSameBlockersNearby(ray) && this->hasSameAnswerInDepth(ray, isShadowed);
+                     });
 }
 
 bool CertainPixels::hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) const
@@ -99,6 +127,65 @@ bool CertainPixels::hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) 
   return std::all_of(this->movedLights.begin(), this->movedLights.end(),
                      [&](const truth::LocalLight& moved)
                      { return (this->caster.answer(ray, moved) == truth::Answer::Shadowed) == isShadowed; });
+}
+
+bool CertainPixels::hasSameBlockersNearby(const truth::Ray& ray) const
+{
+  const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
+  if (!hit)
+  {
+    return true;
+  }
+  const double rounding = this->triangles[hit->triangle].rounding;
+  bool same = true;
+  for (std::size_t i = 0; i < this->triangles.size(); ++i)
+  {
+    const truth::LocalTriangle& triangle = this->triangles[i];
+    if (i == hit->triangle || !triangle.casts)
+    {
+      continue;
+    }
+    const Shadowing shadowing =
+        findShadowing(triangle, hit->point, rounding, this->movedLights.front().position, this->halfSide);
+    if (shadowing == Shadowing::Always)
+    {
+      return true;
+    }
+    same = same && shadowing == Shadowing::Never;
+  }
+  return same;
+}
+
+bool CertainPixels::hasSameAnswerInDepth(const truth::Ray& ray, bool isShadowed) const
+{
+  const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
+  if (!hit)
+  {
+    return true;
+  }
+  const truth::LocalTriangle& triangle = this->triangles[hit->triangle];
+  const truth::LocalLight& light = this->movedLights.front();
+  const glm::dvec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  const glm::dvec3 toLight = glm::normalize(glm::dvec3(light.position) - light.position.w * hit->point);
+  const glm::dvec3 toEye = glm::normalize(ray.direction);
+  const double far = std::max({glm::distance(ray.origin, hit->point), truth::largestCoordinate(triangle.a),
+                               truth::largestCoordinate(triangle.b), truth::largestCoordinate(triangle.c)});
+  const double lifted = depthRoundings * far * glm::dot(normal, toEye);
+  // Where the light's ray through the lifted point meets the surface: a point off the surface would be behind
+  // whatever coincides with it.
+  const double steepness = glm::dot(normal, toLight);
+  const glm::dvec3 along = toLight - steepness * normal;
+  for (const double step : {-1.0, -0.5, 0.5, 1.0})
+  {
+    truth::Hit moved = *hit;
+    moved.point += step * lifted / steepness * along;
+    // Beyond an edge of its own, the volume's side that hangs from there is within rounding of what is seen.
+    if (this->caster.isReached(moved, light) == isShadowed || !isInPrism(triangle, moved.point, normal))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool CertainPixels::isInPlaneOfLight(const truth::Ray& ray) const

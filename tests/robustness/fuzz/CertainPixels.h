@@ -12,10 +12,15 @@ namespace shadow::fuzz
 /// The truth of a scene, and which of its pixels have a right answer at all.
 ///
 /// A pixel is certain when its answer stays the same
-/// - at the four points 1/64 pixel off its centre diagonally, since rasterisers move corners that far;
-/// - when the light moves by a few roundings: to the eight corners of a cube around it whose half side is 32
-///   units in the last place, in double precision, of the largest coordinate of the scene and the light; or,
-///   for a directional light, of 1;
+/// - at the four points 1/64 pixel off its centre diagonally, since rasterisers move corners that far, where the
+///   rest holds as well; background, which has no answer, is seen at all or at none of the five;
+/// - when what is seen moves in depth by 32 units in the last place, in single precision, of the distance to the
+///   eye or of the triangle's farthest corner: depth buffers and positions in clip space have no more digits, and
+///   where light grazes a surface, its volumes are as good as in it;
+/// - when the light moves by a few roundings: anywhere in a cube around it whose half side is 32 units in the
+///   last place, in double precision, of the largest coordinate of the scene and the light; or, for a
+///   directional light, of 1. What blocks the light is decided for all of the cube, see ShadowingRange.h, what
+///   else counts, as the cone of a spot light, for its corners;
 /// - and when the light lies in the plane of no triangle that counts here, as far as rounding of its corners
 ///   tells: not of the one that is seen, nor of one between it and the light. The ray caster takes these for
 ///   neither side, see truth::sideOfPlane(). Slivers turn about their long side with the least rounding, so
@@ -36,7 +41,7 @@ public:
   int getHeight() const { return this->truth.height(); }
   const std::vector<unsigned char>& getMask() const { return this->truth.mask(); }
 
-  /// Casts up to thirteen camera rays at the first question, then remembers.
+  /// Casts up to a hundred rays at the first question, then remembers.
   bool isCertain(int x, int y) const;
 
   /// Whether no other surface is as near to the eye as the one that is seen, as far as a depth buffer of 24
@@ -49,13 +54,17 @@ public:
   std::size_t countCertain() const;
 
 private:
+  bool findCertainty(int x, int y) const;
   bool hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) const;
+  bool hasSameBlockersNearby(const truth::Ray& ray) const;
+  bool hasSameAnswerInDepth(const truth::Ray& ray, bool isShadowed) const;
   bool isInPlaneOfLight(const truth::Ray& ray) const;
 
   truth::RayCaster caster;
   truth::MaskTruth truth;
   truth::PixelRays rays;
   std::vector<truth::LocalTriangle> triangles; ///< in the scene's order
+  double halfSide;                            ///< of the cube below
   std::vector<truth::LocalLight> movedLights; ///< the light itself, too
   mutable std::vector<signed char> known; ///< a pixel's certainty; -1 not asked yet
 };
