@@ -79,11 +79,11 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool fromNear, const std::str
 
 glm::vec2 depthBias(bool reversedDepth, bool asSides)
 {
-  // With reversed depth the same number of units everywhere: two in the last place. With ordinary depth,
+  // With reversed depth the same number of units everywhere: four in the last place. With ordinary depth,
   // which is close to 1 for all that is not close to the near plane, often less than one: see the header. A
   // power of two: w - w * rounding + w * rounding is w again, whatever is rounded on the way, while
   // with 1.2e-7 one far end in 150 came to lie beyond the far plane.
-  const float rounding = asSides ? std::numeric_limits<float>::epsilon() : 0.0f;
+  const float rounding = asSides ? 2.0f * std::numeric_limits<float>::epsilon() : 0.0f;
   return {1.0f - rounding, reversedDepth ? 0.0f : rounding};
 }
 

@@ -1,9 +1,12 @@
 // Laws of buildSEDGeometry() on meshes that need no repair, and its errors.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -217,6 +220,43 @@ TEST(Adjacency, LargeOffsetsAndScales_KeepTheShape)
   EXPECT_TRUE(geometry.isClosed());
   EXPECT_NEAR(glm::length(geometry.getOrigin() - centre), 0.0, 1e-3);
   EXPECT_NEAR(geometry.getUpperBound().z, 1e-2, 1e-8);
+}
+
+// A light within rounding of a triangle's plane is on the side on which it is in the user's coordinates only if
+// nothing was rounded: near 0, far from it, and where boxes lie beside it.
+TEST(Adjacency, PointsInSinglePrecision_KeepEveryBit)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> exponent(-3.0, 3.0);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  for (int mesh = 0; mesh < 300; ++mesh)
+  {
+    const double size = std::exp2(exponent(random));
+    const glm::dvec3 centre =
+        std::exp2(2.0 * exponent(random)) * glm::dvec3(share(random), share(random), share(random));
+    TriangleSoup soup;
+    for (std::uint32_t point = 0; point < 30; ++point)
+    {
+      soup.points.emplace_back(
+          glm::vec3(centre + size * glm::dvec3(share(random), share(random), share(random))));
+    }
+    for (std::uint32_t first = 0; first < 30; first += 3)
+    {
+      soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    std::vector<glm::dvec3> before = soup.points;
+    const SEDGeometry geometry = build(std::move(soup));
+    std::vector<glm::dvec3> after;
+    for (const glm::vec3& position : geometry.getPositions())
+    {
+      after.push_back(geometry.getOrigin() + glm::dvec3(position));
+    }
+    const auto byPlace = [](const glm::dvec3& a, const glm::dvec3& b)
+    { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+    std::sort(before.begin(), before.end(), byPlace);
+    std::sort(after.begin(), after.end(), byPlace);
+    ASSERT_EQ(before, after) << "mesh " << mesh;
+  }
 }
 
 TEST(Adjacency, StrayPointThatNothingUses_CostsNoPrecision)
