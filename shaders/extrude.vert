@@ -3,10 +3,14 @@
 // in   vertexMC       vec4   w = 1 near copy, w = 0 far copy of a vertex, relative to the geometry's origin; w = -1 direction of
 //                            a ray from the light to the far end
 // in   reachableBits  uvec2  pre-pass: of the triangle that this vertex is the last of; see prepass.frag
+// def  SHADOW_HANDED_ON      volumeHandedOn.geom follows
+#ifdef SHADOW_HANDED_ON
+#define nearDistance nearDistanceOfCorner
+#endif
 #include "precise.glsl"
 #include "extrusion.glsl"
 in vec4 vertexMC;
-#if defined(SHADOW_PARALLEL) && !defined(SHADOW_VOLUME)
+#ifdef SHADOW_PARALLEL
 out float nearDistance;
 #endif
 #ifdef SHADOW_PREPASS
@@ -22,11 +26,7 @@ void main()
   sideBits = reachableBits;
 #endif
 #ifdef SHADOW_PARALLEL
-#ifdef SHADOW_VOLUME
-  gl_ClipDistance[0] = beyondNear(positionMC);
-#else
   nearDistance = beyondNear(positionMC);
-#endif
 #endif
   gl_Position = toClip(positionMC);
 }

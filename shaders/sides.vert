@@ -4,12 +4,16 @@
 // end.
 // unif apexMC        vec3   whose far copy is the apex
 // out  multiplicity  float  see volume.frag
+// out  nearDistance  float  see volume.frag; parallel views only
 // Source: McGuire & Hughes 2004, "Hardware-Determined Feature Edges"; Wallner 2006
 #include "precise.glsl"
 #include "silhouetteSource.glsl"
 #include "extrusion.glsl"
 uniform vec3 apexMC;
 flat out float multiplicity;
+#ifdef SHADOW_PARALLEL
+out float nearDistance;
+#endif
 
 void main()
 {
@@ -22,7 +26,7 @@ void main()
   {
     gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 #ifdef SHADOW_PARALLEL
-    gl_ClipDistance[0] = 0.0;
+    nearDistance = 0.0;
 #endif
     return;
   }
@@ -31,7 +35,7 @@ void main()
   vec3 vertexMC = corner == 4 ? apexMC : positionOf(atFrom == (times > 0) ? ends.x : ends.y);
   vec4 positionMC = copyOf(vertexMC, corner >= 2);
 #ifdef SHADOW_PARALLEL
-  gl_ClipDistance[0] = beyondNear(positionMC);
+  nearDistance = beyondNear(positionMC);
 #endif
   gl_Position = toClip(positionMC);
 }

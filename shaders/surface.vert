@@ -29,7 +29,7 @@ flat out float multiplicity;
 uniform uint otherLights;
 flat out uvec2 sideBits;
 #endif
-#if defined(SHADOW_PARALLEL) && !defined(SHADOW_CAP)
+#ifdef SHADOW_PARALLEL
 out float nearDistance;
 #endif
 invariant gl_Position;
@@ -64,11 +64,7 @@ void main()
   sideBits = (reversed ? bits.yx : bits) | otherLights;
 #endif
 #ifdef SHADOW_PARALLEL
-#ifdef SHADOW_CAP
-  gl_ClipDistance[0] = beyondNear(positionMC);
-#else
   nearDistance = beyondNear(positionMC);
-#endif
 #endif
   gl_Position = toClip(positionMC);
 }

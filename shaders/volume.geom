@@ -39,6 +39,9 @@ uniform int darkFan;
 uniform vec3 apexMC;
 #endif
 flat out float multiplicity;
+#ifdef SHADOW_PARALLEL
+out float nearDistance;
+#endif
 
 bool comesBefore(vec3 a, vec3 b)
 {
@@ -106,7 +109,7 @@ void emit(Copy copy, float times)
 {
   gl_Position = copy.position;
 #ifdef SHADOW_PARALLEL
-  gl_ClipDistance[0] = copy.nearDistance;
+  nearDistance = copy.nearDistance;
 #endif
   multiplicity = times;
   EmitVertex();

@@ -2,6 +2,10 @@
 // volumeHandedOn.geom - volumes from the CPU beside those of volume.geom: hands on what extrude.vert gives, see surface.geom.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
+#ifdef SHADOW_PARALLEL
+in float nearDistanceOfCorner[];
+out float nearDistance;
+#endif
 
 void main()
 {
@@ -9,7 +13,7 @@ void main()
   {
     gl_Position = gl_in[i].gl_Position;
 #ifdef SHADOW_PARALLEL
-    gl_ClipDistance[0] = gl_in[i].gl_ClipDistance[0];
+    nearDistance = nearDistanceOfCorner[i];
 #endif
     EmitVertex();
   }

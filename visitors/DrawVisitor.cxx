@@ -60,9 +60,8 @@ void DrawVisitor::drawVolumes(const SEDGeode& geode, const PathLightState& light
     }
     this->pass.makeRoom(volume.overlapBound);
     const FaceCounter counter(
-        {this->pass.state, this->pass.program, this->pass.countBuffer, this->pass.reversedDepth,
-         startsAtNear(*this->pass.view, count)},
-        count, mirrored);
+        {this->pass.state, this->pass.program, this->pass.countBuffer, this->pass.reversedDepth}, count,
+        mirrored);
     ShadowVolumeDrawable& drawable = this->pass.drawables->getVolume(light, part);
     drawable.draw(counter, geometry.getVolumeVertexBuffer());
     this->counts.sides += volume.getSideCount();

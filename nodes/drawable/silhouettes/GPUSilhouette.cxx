@@ -135,8 +135,7 @@ bool GPUSilhouette::isMirrored(const Surface& surface) const
 FaceCounter GPUSilhouette::countWith(vtkShaderProgram* program, const Surface& surface,
                                      StencilCount count) const
 {
-  return {{this->frame.window->GetState(), program, CountBuffer::Color, this->frame.reversedDepth,
-           startsAtNear(*this->frame.view, count)},
+  return {{this->frame.window->GetState(), program, CountBuffer::Color, this->frame.reversedDepth},
           count,
           this->isMirrored(surface)};
 }

@@ -27,15 +27,6 @@ FaceCounter::FaceCounter(const Target& countTarget, StencilCount count, bool isM
   this->target.state->vtkglDepthFunc(passes);
 }
 
-// Only while faces are drawn: what else is drawn between them says nothing of where it begins.
-void FaceCounter::setClipping(bool on) const
-{
-  if (this->target.clipAtNear)
-  {
-    (on ? glEnable : glDisable)(GL_CLIP_DISTANCE0);
-  }
-}
-
 // Faces whose outside is seen are entered, the others left, as the eye looks along the ray.
 void FaceCounter::setUp(int multiplicity, bool inward) const
 {

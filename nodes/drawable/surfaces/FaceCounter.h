@@ -46,7 +46,6 @@ public:
     vtkShaderProgram* program = nullptr;
     CountBuffer buffer = CountBuffer::Stencil; ///< not Auto
     bool reversedDepth = true;                 ///< see DepthRange
-    bool clipAtNear = false; ///< faces begin where gl_ClipDistance[0] is 0: startsAtNear()
   };
 
   /// @param mirrored  a face wound counter-clockwise in model space is clockwise on the screen
@@ -61,12 +60,10 @@ public:
   void count(int multiplicity, bool inward, const Draw& draw) const
   {
     this->setUp(multiplicity, inward);
-    this->setClipping(true);
     for (int time = 0; time < this->getDraws(multiplicity); ++time)
     {
       draw();
     }
-    this->setClipping(false);
   }
 
   /// How often count() draws.
@@ -80,7 +77,6 @@ public:
 
 private:
   void setUp(int multiplicity, bool inward) const;
-  void setClipping(bool on) const;
 
   Target target;
   StencilCount stencilCount;
