@@ -140,7 +140,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   }
   if (!DrawnSurfaces::areKnown(mapper))
   {
-    this->skip(actor, std::string("its mapper is a ") + mapper->GetClassName());
+    this->refuse(this->describe(actor), std::string("its mapper is a ") + mapper->GetClassName(), settings);
     return;
   }
 

@@ -95,6 +95,8 @@ TEST(PassReport, Glyphs_ReportedAndDrawnUnshadowed)
   glyphs->GetProperty()->SetDiffuse(0.9);
   scene.renderer->AddActor(glyphs);
   expectSkipped(scene, "Glyph3DMapper");
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_PARTIAL);
+  EXPECT_NE(std::string(scene.pass->GetStatusMessage()).find("Glyph3DMapper"), std::string::npos);
   for (const glm::dvec3& place : {glm::dvec3(0.45, 0.28, 0.05), glm::dvec3(-1.2, 0.28, 0.85)})
   {
     scene.renderer->SetPass(scene.pass);
