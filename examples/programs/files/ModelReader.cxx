@@ -4,6 +4,7 @@
 #include "MemoryCap.h"
 #include "MeshCheck.h"
 #include "ObjCopy.h"
+#include "PlyFile.h"
 #include "ReaderGuard.h"
 #include "StlFile.h"
 #include "TextCheck.h"
@@ -18,7 +19,6 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -61,22 +61,6 @@ std::vector<RawPart> readWith(const std::string& file, std::vector<std::string>&
   return data != nullptr ? std::vector<RawPart>{{data, std::nullopt}} : std::vector<RawPart>{};
 }
 
-std::vector<RawPart> readStl(const std::string& file, std::vector<std::string>& warnings)
-{
-  const std::unique_ptr<TemporaryModel> copy = checkStl(file);
-  return readWith<vtkSTLReader>(copy != nullptr ? copy->getName() : file, warnings);
-}
-
-std::vector<RawPart> readPly(const std::string& file, std::vector<std::string>& warnings)
-{
-  const std::string damage = findPlyDamage(file);
-  if (!damage.empty())
-  {
-    throw UserError(damage);
-  }
-  return readWith<vtkPLYReader>(file, warnings);
-}
-
 // Points in double precision, moved by what they are relative to.
 void movePoints(vtkDataSet* data, const std::array<double, 3>& by)
 {
@@ -97,6 +81,31 @@ void movePoints(vtkDataSet* data, const std::array<double, 3>& by)
   pointSet->SetPoints(moved);
 }
 
+void moveParts(const std::vector<RawPart>& parts, const std::array<double, 3>& by)
+{
+  for (const RawPart& part : parts)
+  {
+    if (by != std::array<double, 3>{0.0, 0.0, 0.0})
+    {
+      movePoints(part.data, by);
+    }
+  }
+}
+
+std::vector<RawPart> readStl(const std::string& file, std::vector<std::string>& warnings)
+{
+  const StlFindings findings = checkStl(file, warnings);
+  std::vector<RawPart> parts =
+      readWith<vtkSTLReader>(findings.copy != nullptr ? findings.copy->getName() : file, warnings);
+  moveParts(parts, findings.shift);
+  return parts;
+}
+
+std::vector<RawPart> readPly(const std::string& file, std::vector<std::string>& warnings)
+{
+  return {{readPlyFile(file, warnings), std::nullopt}};
+}
+
 std::vector<RawPart> readObj(const std::string& file, std::vector<std::string>& warnings)
 {
   const ObjFindings findings = checkObj(file);
@@ -111,13 +120,7 @@ std::vector<RawPart> readObj(const std::string& file, std::vector<std::string>& 
   }
   const ObjCopy copy(file, findings.shift);
   std::vector<RawPart> parts = readWith<vtkOBJReader>(copy.getName(), warnings);
-  for (const RawPart& part : parts)
-  {
-    if (isFar)
-    {
-      movePoints(part.data, findings.shift);
-    }
-  }
+  moveParts(parts, findings.shift);
   return parts;
 }
 

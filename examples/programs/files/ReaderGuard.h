@@ -10,8 +10,8 @@ namespace shadow::examples
 
 /// Keeps a damaged file from ending the program without a word.
 ///
-/// Readers of VTK 9.1 crash on some damaged files: a PLY that stops early frees a foreign pointer, an OBJ
-/// with a wrong normal index reads beyond its array, a glTF node that is its own child never returns. While a
+/// Readers of VTK 9.1 crash on some damaged files: an OBJ with a wrong normal index reads beyond
+/// its array, a glTF node that is its own child never returns. While a
 /// guard lives, a crash prints `lastWords` to stderr as one line and ends the process with status 1. What a
 /// reader itself prints to stderr is dropped.
 ///

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <string_view>
 
+#include "PointRange.h"
 #include "TextLines.h"
 #include "UserError.h"
 
@@ -80,21 +86,60 @@ Opening readOpening(std::istream& stream)
   return {};
 }
 
-bool hasLongLine(std::istream& stream)
+std::array<double, 3> readPoint(std::string_view rest)
 {
-  for (std::string line; std::getline(stream, line);)
+  std::array<double, 3> point{};
+  for (double& value : point)
   {
-    if (line.size() > longestLine)
+    if (examine(nextWord(rest), value) == Number::None)
     {
-      return true;
+      value = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  return false;
+  return point;
 }
 
-std::unique_ptr<TemporaryModel> copyPlainly(std::istream& stream)
+bool areFinite(const std::array<double, 3>& point)
+{
+  return std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); });
+}
+
+struct TextFindings
+{
+  bool longLine = false;
+  PointRange range;
+};
+
+TextFindings lookThrough(std::istream& stream)
+{
+  TextFindings findings;
+  for (std::string line; std::getline(stream, line);)
+  {
+    findings.longLine = findings.longLine || line.size() > longestLine;
+    std::string_view rest = line;
+    if (lowerCase(nextWord(rest)) == "vertex" && areFinite(readPoint(rest)))
+    {
+      findings.range.add(readPoint(rest));
+    }
+  }
+  return findings;
+}
+
+void copyPoint(std::string_view rest, const std::array<double, 3>& shift, std::ostream& copy)
+{
+  const std::array<double, 3> point = readPoint(rest);
+  copy << "vertex";
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    copy << ' ' << point[i] - shift[i];
+  }
+  copy << '\n';
+}
+
+std::unique_ptr<TemporaryModel> copyPlainly(std::istream& stream, const std::array<double, 3>& shift)
 {
   auto copy = std::make_unique<TemporaryModel>(".stl");
+  copy->getStream() << std::setprecision(std::numeric_limits<double>::max_digits10);
   bool begun = false;
   for (std::string line; std::getline(stream, line);)
   {
@@ -105,7 +150,13 @@ std::unique_ptr<TemporaryModel> copyPlainly(std::istream& stream)
     const std::string word = firstWord(line);
     const bool named = word == "solid" || word == "endsolid";
     begun = begun || named;
-    if (begun && !isComment(word))
+    std::string_view rest = line;
+    nextWord(rest);
+    if (word == "vertex" && areFinite(readPoint(rest))) // what is none is left to the reader's own words
+    {
+      copyPoint(rest, shift, copy->getStream());
+    }
+    else if (begun && !isComment(word))
     {
       copy->getStream() << (named ? word + " model" : line) << '\n';
     }
@@ -114,9 +165,25 @@ std::unique_ptr<TemporaryModel> copyPlainly(std::istream& stream)
   return copy;
 }
 
+PointRange readBinaryRange(std::istream& stream, std::uint64_t count)
+{
+  PointRange range;
+  std::array<char, 50> facet{}; // a normal, three points, two bytes
+  for (std::uint64_t i = 0; i < count && stream.read(facet.data(), facet.size()); ++i)
+  {
+    for (std::size_t place = 12; place < 48; place += 12)
+    {
+      std::array<float, 3> point{};
+      std::memcpy(point.data(), facet.data() + place, sizeof(point));
+      range.add({point[0], point[1], point[2]});
+    }
+  }
+  return range;
+}
+
 // vtkSTLReader reads to the end of the file whatever the header says, so a file that was cut off or is no STL
 // at all would become a mesh of random triangles.
-void checkBinary(const std::string& file, std::istream& stream)
+void checkBinary(const std::string& file, std::istream& stream, std::vector<std::string>& warnings)
 {
   constexpr std::size_t headerSize = 84; // 80 bytes of text and the number of triangles
   std::string header(headerSize, ' ');
@@ -134,11 +201,18 @@ void checkBinary(const std::string& file, std::istream& stream)
   {
     throw UserError("cannot be read: neither text nor as long as its header says");
   }
+  const double step = readBinaryRange(stream, count).getVisibleStep();
+  if (step > 0.0)
+  {
+    std::ostringstream text;
+    text << step;
+    warnings.push_back("its points are stored in single precision, which has steps of " + text.str() + " there");
+  }
 }
 
 } // namespace
 
-std::unique_ptr<TemporaryModel> checkStl(const std::string& file)
+StlFindings checkStl(const std::string& file, std::vector<std::string>& warnings)
 {
   std::ifstream stream(file, std::ios::binary);
   const auto rewind = [&stream]
@@ -150,12 +224,18 @@ std::unique_ptr<TemporaryModel> checkStl(const std::string& file)
   rewind();
   if (!opening.text)
   {
-    checkBinary(file, stream);
-    return nullptr;
+    checkBinary(file, stream, warnings);
+    return {};
   }
-  const bool isLong = hasLongLine(stream);
+  const TextFindings text = lookThrough(stream);
   rewind();
-  return opening.plain && !isLong ? nullptr : copyPlainly(stream);
+  StlFindings findings;
+  findings.shift = text.range.getShift();
+  if (!opening.plain || text.longLine || text.range.isFar())
+  {
+    findings.copy = copyPlainly(stream, findings.shift);
+  }
+  return findings;
 }
 
 } // namespace shadow::examples

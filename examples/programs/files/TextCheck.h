@@ -8,8 +8,8 @@
 namespace shadow::examples
 {
 
-// VTK's readers of these two text formats take what is no number for 0, and vtkOBJReader uses indices of
-// texture coordinates and normals unseen. So their files are looked through first.
+// vtkOBJReader takes what is no number for 0, and uses indices of texture coordinates and normals unseen. So its
+// files are looked through first.
 
 /// What is wrong with an OBJ file, and what its reader has to be helped with.
 ///
@@ -17,12 +17,6 @@ namespace shadow::examples
 /// normals that are there.
 /// @par Cost  reads the file once
 ObjFindings checkObj(const std::string& file);
-
-/// What is wrong with the numbers of a PLY file in text form; empty when nothing is or when it is in binary
-/// form.
-///
-/// @par Cost  reads the file once
-std::string findPlyDamage(const std::string& file);
 
 } // namespace shadow::examples
 

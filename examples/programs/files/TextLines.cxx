@@ -1,6 +1,9 @@
 #include "TextLines.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
 
 namespace shadow::examples
 {
@@ -29,6 +32,24 @@ std::string_view nextWord(std::string_view& line)
   const std::string_view word = line.substr(0, line.find_first_of(BLANKS));
   line.remove_prefix(word.size());
   return word;
+}
+
+Number examine(std::string_view word, double& value)
+{
+  if (word.size() > 1 && word[0] == '+')
+  {
+    word.remove_prefix(1);
+  }
+  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || result.ptr != word.data() + word.size())
+  {
+    return Number::None;
+  }
+  if (result.ec == std::errc::result_out_of_range)
+  {
+    value = std::strtod(std::string(word).c_str(), nullptr); // tells too large from too small
+  }
+  return std::isfinite(value) ? Number::Finite : Number::NotFinite;
 }
 
 /// Takes comment, line end and backslash off. @return whether there was a backslash

@@ -12,6 +12,18 @@ namespace shadow::examples
 /// Takes the next word off the front of a line; empty at the end.
 std::string_view nextWord(std::string_view& line);
 
+enum class Number
+{
+  Finite,
+  NotFinite,
+  None
+};
+
+/// Reads a word as a number, the same in every locale.
+///
+/// @param[out] value  the number; infinite where it is too large
+Number examine(std::string_view word, double& value);
+
 /// Reads the lines of an OBJ file as they are meant: without a byte order mark, without comments, and together
 /// with those that they go on in after a backslash. A comment goes on in no other line.
 class ObjLines

@@ -6,7 +6,7 @@ if(TARGET shadow_examples)
   gtest_discover_tests(test_examples DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
   if(SHADOW_TEST_PYTHON)
-    foreach(part cli refusals text_files gltf)
+    foreach(part cli refusals text_files gltf ply)
       add_test(NAME shadow_render.${part} COMMAND ${SHADOW_TEST_PYTHON} -B
         ${CMAKE_CURRENT_LIST_DIR}/shadow_render_${part}.py $<TARGET_FILE:shadow_render>)
       set_tests_properties(shadow_render.${part} PROPERTIES LABELS unit TIMEOUT 600)

@@ -87,11 +87,14 @@ class TextFiles(unittest.TestCase):
         for word in words:
             self.assertIn(word, run.stderr)
 
-    def test_ply_strips_are_named(self):
-        text = ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-                "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-        self.refuse(text.encode(), "mesh.ply", "tristrips")
+    def test_ply_strips(self):
+        """Two strips in one list, parted by -1, and faces that say the same."""
+        head = ("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+                "element {}\nproperty list int int vertex_indices\nend_header\n"
+                "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 1\n{}")
+        faces = self.draw(head.format("face 3", "3 0 1 2\n3 1 3 2\n3 2 3 4\n"), name="mesh.ply")
+        strips = self.draw(head.format("tristrips 1", "8 0 1 2 3 -1 2 3 4\n"), name="mesh.ply")
+        self.assertEqual(strips, faces)
 
     def test_small_file_that_asks_for_all_memory(self):
         """A block of compressed data whose header claims to be of four terabytes."""
