@@ -13,9 +13,14 @@
 #include <vtkTextureObject.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <utility>
+
+#include <unistd.h>
 
 namespace shadow::examples
 {
@@ -25,6 +30,28 @@ namespace
 double millisecondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+constexpr double gigabyte = 1e9;
+constexpr double largePicture = 32e6; ///< pixels from which on it is told what a picture takes
+constexpr int mostSamples = 4;        ///< that software GL gives
+
+/// What drawing takes of the machine's memory, about: measured on software GL, where it is all of it.
+double estimateBytes(const SizeOption& size, int samples)
+{
+  return 0.15 * gigabyte + static_cast<double>(size.width) * size.height * (20.0 + 22.0 * std::min(samples, mostSamples));
+}
+
+double getMachineBytes()
+{
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+std::string toGigabytes(double bytes)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(bytes < 10.0 * gigabyte ? 1 : 0) << bytes / gigabyte << " GB";
+  return text.str();
 }
 
 } // namespace
@@ -98,7 +125,24 @@ void RenderRun::openWindow()
     throw UserError("--size: " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                     " is over the limit of this GL, " + std::to_string(limit) + "x" + std::to_string(limit));
   }
+  this->checkMemory();
   this->window->SetSize(size.width, size.height);
+}
+
+void RenderRun::checkMemory()
+{
+  const SizeOption& size = this->options.size;
+  const std::string name = "--size: a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height);
+  const double bytes = estimateBytes(size, this->options.samples);
+  if (bytes > getMachineBytes())
+  {
+    throw UserError(name + " takes about " + toGigabytes(bytes) + " of memory, and this machine has " +
+                    toGigabytes(getMachineBytes()));
+  }
+  if (static_cast<double>(size.width) * size.height > largePicture)
+  {
+    this->warn(name + " takes about " + toGigabytes(bytes) + " of memory and, without a GPU, up to minutes");
+  }
 }
 
 void RenderRun::setUpScene()

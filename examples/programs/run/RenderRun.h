@@ -75,6 +75,7 @@ private:
 
   void readModels();
   void openWindow();
+  void checkMemory();
   void setUpScene();
   void setUpView();
   void checkLights(const vtkBoundingBox& floor) const;

@@ -31,6 +31,15 @@ class Refusing(CommandLine):
         self.refuse("over the limit of this GL", "cube.obj", "--size", "1000000x90")
         self.refuse("over the limit of this GL", "cube.obj", "--size", "90x1000000")
 
+    def test_large_picture(self):
+        """Told what it takes before it is drawn, or refused where the machine has not that much."""
+        if os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") < 28e9:
+            self.refuse("of memory, and this machine has", "cube.obj", "--size", "16384x16384", "--samples", "4")
+        result = self.call("cube.obj", "--size", "8192x4096")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(b"--size: a picture of 8192x4096 takes about", result.stderr)
+        self.assertEqual(self.call("cube.obj", "--size", "640x480").stderr, b"")
+
     def test_lights(self):
         self.refuse("no direction", "--light", "directional:0,0,0")
         self.refuse("same", "--light", "spot:1,1,1,1,1,1,30")
