@@ -1,6 +1,7 @@
 #include "ModelReader.h"
 
 #include "GltfCopy.h"
+#include "GltfMaterial.h"
 #include "MemoryCap.h"
 #include "MeshCheck.h"
 #include "ObjCopy.h"
@@ -47,6 +48,7 @@ struct RawPart
 {
   vtkSmartPointer<vtkDataSet> data;
   std::optional<Vector3> colour;
+  double opacity = 1.0;
 };
 
 using ReadFunction = std::function<std::vector<RawPart>(const std::string&, std::vector<std::string>&)>;
@@ -58,7 +60,7 @@ std::vector<RawPart> readWith(const std::string& file, std::vector<std::string>&
   reader->SetFileName(file.c_str());
   reader->Update();
   auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  return data != nullptr ? std::vector<RawPart>{{data, std::nullopt}} : std::vector<RawPart>{};
+  return data != nullptr ? std::vector<RawPart>{{data, std::nullopt, 1.0}} : std::vector<RawPart>{};
 }
 
 // Points in double precision, moved by what they are relative to.
@@ -103,7 +105,7 @@ std::vector<RawPart> readStl(const std::string& file, std::vector<std::string>& 
 
 std::vector<RawPart> readPly(const std::string& file, std::vector<std::string>& warnings)
 {
-  return {{readPlyFile(file, warnings), std::nullopt}};
+  return {{readPlyFile(file, warnings), std::nullopt, 1.0}};
 }
 
 std::vector<RawPart> readObj(const std::string& file, std::vector<std::string>& warnings)
@@ -124,22 +126,6 @@ std::vector<RawPart> readObj(const std::string& file, std::vector<std::string>& 
   return parts;
 }
 
-std::optional<Vector3> findColour(vtkDataObject* block)
-{
-  vtkDataArray* colour = block->GetFieldData()->GetArray("BaseColorMultiplier");
-  if (colour == nullptr || colour->GetNumberOfValues() < 3)
-  {
-    return std::nullopt;
-  }
-  Vector3 result;
-  for (int i = 0; i < 3; ++i)
-  {
-    const int components = colour->GetNumberOfComponents();
-    result[i] = std::clamp(colour->GetComponent(i / components, i % components), 0.0, 1.0);
-  }
-  return result;
-}
-
 std::vector<RawPart> readGltf(const std::string& file, std::vector<std::string>& warnings)
 {
   const GltfCopy copy(file, warnings);
@@ -153,13 +139,23 @@ std::vector<RawPart> readGltf(const std::string& file, std::vector<std::string>&
   {
     return parts;
   }
+  bool translucent = false;
   const auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     if (auto* data = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
     {
-      parts.push_back({data, findColour(data)});
+      const GltfMaterial material = readGltfMaterial(data);
+      translucent = translucent || material.opacity < 1.0;
+      if (material.isSeen)
+      {
+        parts.push_back({data, material.colour, material.opacity});
+      }
     }
+  }
+  if (translucent)
+  {
+    warnings.emplace_back("what is translucent in it (alphaMode BLEND) casts no shadow");
   }
   return parts;
 }
@@ -263,7 +259,7 @@ Model readChecked(const std::string& file, std::vector<std::string>& warnings)
     {
       throw UserError(damage);
     }
-    ModelPart part = {extractTriangles(raw.data), raw.colour};
+    ModelPart part = {extractTriangles(raw.data), raw.colour, raw.opacity};
     if (part.surface->GetNumberOfPolys() > 0)
     {
       area = area || hasArea(part.surface);

@@ -19,6 +19,7 @@ struct ModelPart
 {
   vtkSmartPointer<vtkPolyData> surface;
   std::optional<Vector3> colour; ///< the file's own, red green blue in [0, 1]
+  double opacity = 1.0;          ///< below 1 it is translucent, and casts no shadow
 };
 
 /// What a mesh file holds, in the file's own coordinates.

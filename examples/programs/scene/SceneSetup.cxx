@@ -84,6 +84,7 @@ vtkBoundingBox addModels(vtkRenderer* renderer, const std::vector<Model>& models
     {
       const auto actor =
           addSurface(renderer, part.surface, part.colour.value_or(COLOURS[i % COLOURS.size()]));
+      actor->GetProperty()->SetOpacity(part.opacity);
       bounds.AddBounds(actor->GetBounds());
     }
   }

@@ -5,11 +5,10 @@ import json
 import pathlib
 import struct
 import subprocess
-import sys
 import tempfile
 import unittest
 
-PROGRAM = sys.argv.pop(1)
+from shadow_render_case import PROGRAM, Picture
 
 POINTS = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
 QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
@@ -40,6 +39,29 @@ def textured(uri):
     return result
 
 
+def coloured(component, form, kind="VEC3"):
+    """Red corners. component, form: glTF's number of the components' type and struct's letter."""
+    most = {"f": 1.0, "B": 255, "H": 65535}[form]
+    # Rows of whole 4 bytes, as glTF asks for; alpha, which an opaque material does not look at, is 0.
+    row = [most, 0, 0] + [0] * (1 if kind == "VEC4" or form != "f" else 0)
+    data = BUFFER + 8 * struct.pack("<%d%s" % (len(row), form), *row)
+    result = document("data:application/octet-stream;base64," + base64.b64encode(data).decode())
+    result["buffers"][0]["byteLength"] = len(data)
+    result["bufferViews"].append({"buffer": 0, "byteOffset": 168, "byteLength": len(data) - 168,
+                                  "byteStride": struct.calcsize(form) * len(row)})
+    result["accessors"].append({"bufferView": 2, "componentType": component, "count": 8, "type": kind,
+                                "normalized": form != "f"})
+    result["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2
+    return result
+
+
+def blended(mode, alpha):
+    result = document()
+    result["materials"][0].update(alphaMode=mode)
+    result["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][3] = alpha
+    return result
+
+
 def binary():
     text = json.dumps(document(uri=None)).encode()
     text += b" " * (-len(text) % 4)
@@ -56,7 +78,7 @@ class Gltf(unittest.TestCase):
     def run_with(self, content, name="mesh.gltf"):
         data = content if isinstance(content, bytes) else json.dumps(content).encode()
         (self.folder / name).write_bytes(data)
-        return subprocess.run([PROGRAM, name, "--size", "160x120", "--mask", "mask.png"],
+        return subprocess.run([PROGRAM, name, "--size", "160x120", "--mask", "mask.png", "--output", "picture.png"],
                               cwd=self.folder, capture_output=True, text=True)
 
     def draw(self, content, name="mesh.gltf"):
@@ -96,6 +118,33 @@ class Gltf(unittest.TestCase):
         (self.folder / "broken.png").write_bytes(b"no picture")
         mask, said = self.draw(textured("broken.png"))
         self.assertEqual(mask, plain)
+
+    def count_red(self):
+        picture = Picture(self.folder / "picture.png")
+        pixels = [picture.pixel(x, y) for x in range(160) for y in range(120)]
+        return sum(red > 40 and green < red / 3 for red, green, *_ in pixels)
+
+    def test_vertex_colours(self):
+        plain, _ = self.draw(document())
+        self.assertEqual(self.count_red(), 0)
+        for component, form, kind in ((5126, "f", "VEC3"), (5121, "B", "VEC3"), (5123, "H", "VEC3"), (5121, "B", "VEC4")):
+            with self.subTest(form + kind):
+                mask, said = self.draw(coloured(component, form, kind))
+                self.assertEqual((mask, said), (plain, ""))
+                self.assertGreater(self.count_red(), 1000)
+
+    def test_translucent_materials(self):
+        plain, _ = self.draw(document())
+        self.assertTrue(Picture(self.folder / "mask.png").shadow())
+        seen = (self.folder / "picture.png").read_bytes()
+        mask, said = self.draw(blended("BLEND", 0.4))
+        self.assertEqual(Picture(self.folder / "mask.png").shadow(), set())
+        self.assertIn("translucent", said)
+        self.assertNotEqual((self.folder / "picture.png").read_bytes(), seen)
+        for mode, alpha in (("BLEND", 1.0), ("OPAQUE", 0.4), ("MASK", 0.6)):
+            with self.subTest(mode):
+                self.assertEqual(self.draw(blended(mode, alpha)), (plain, ""))
+        self.refuse(blended("MASK", 0.4), "holds no triangles")
 
     def test_what_is_missing_is_named(self):
         self.refuse(document(uri="gone.bin"), "gone.bin", "not there")
