@@ -132,7 +132,8 @@ void RenderRun::openWindow()
 void RenderRun::checkMemory()
 {
   const SizeOption& size = this->options.size;
-  const std::string name = "--size: a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height);
+  const std::string name =
+      "--size: a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height);
   const double bytes = estimateBytes(size, this->options.samples);
   if (bytes > getMachineBytes())
   {

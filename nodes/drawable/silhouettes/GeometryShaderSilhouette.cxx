@@ -7,8 +7,8 @@
 namespace shadow
 {
 
-// Through a geometry shader only where depth is rounded differently after one: it takes time, and one of NVIDIA's compilers
-// (580.159) gives surface.geom zero for what the third corner hands on.
+// Through a geometry shader only where depth is rounded differently after one: it takes time, and one of
+// NVIDIA's compilers (580.159) gives surface.geom zero for what the third corner hands on.
 ShadowPrograms::Stage GeometryShaderSilhouette::getVolumeStage() const
 {
   return this->getFrame().software ? ShadowPrograms::VolumeInColorHandedOn : ShadowPrograms::VolumeInColor;

@@ -39,12 +39,10 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool fromNear, const std::str
   };
   static const std::array<Sources, 21> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
-      Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_VOLUME\n"},
+      Sources{shaders::extrude_vert, shaders::volume_frag, ""},
+      Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag,
-              "#define SHADOW_VOLUME\n#define SHADOW_COUNT_IN_COLOR\n"},
-      Sources{shaders::extrude_vert, shaders::volume_frag,
-              "#define SHADOW_VOLUME\n#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_HANDED_ON\n",
-              shaders::volumeHandedOn_geom},
+              "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_HANDED_ON\n", shaders::volumeHandedOn_geom},
       Sources{shaders::screen_vert, shaders::mask_frag, ""},
       Sources{shaders::screen_vert, shaders::mask_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
       Sources{shaders::screen_vert, shaders::mask_frag,

@@ -55,14 +55,16 @@ std::vector<truth::LocalLight> moveLight(const truth::RayCaster& caster, const t
 std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, const truth::Scene& scene,
                                                 bool doublePoints)
 {
-  // From roundings of double to those of single precision, of what is drawn: relative to an origin in the scene.
+  // From roundings of double to those of single precision, of what is drawn: relative to an origin in the
+  // scene.
   const double coarser = doublePoints ? std::exp2(29.0) : 1.0;
   const glm::dvec3 drawnFrom = doublePoints ? caster.originWC() : glm::dvec3(0.0);
   std::vector<truth::LocalTriangle> triangles;
   for (const truth::Triangle& triangle : scene.triangles)
   {
     const double largest =
-        std::max({truth::largestCoordinate(triangle.a - drawnFrom), truth::largestCoordinate(triangle.b - drawnFrom),
+        std::max({truth::largestCoordinate(triangle.a - drawnFrom),
+                  truth::largestCoordinate(triangle.b - drawnFrom),
                   truth::largestCoordinate(triangle.c - drawnFrom)});
     triangles.push_back({triangle.a - caster.originWC(), triangle.b - caster.originWC(),
                        triangle.c - caster.originWC(), coarser * truth::vertexRounding(largest),
@@ -89,7 +91,8 @@ CertainPixels::CertainPixels(const truth::Scene& scene, const truth::View& view,
                              const truth::Light& light, bool doublePoints)
     : caster(scene), truth(caster, view, light), rays(view, caster.originWC()),
       triangles(makeTriangles(caster, scene, doublePoints)),
-      halfSide(getHalfSide(scene, light)), movedLights(moveLight(caster, light, halfSide)), known(truth.mask().size(), -1)
+      halfSide(getHalfSide(scene, light)), movedLights(moveLight(caster, light, halfSide)),
+      known(truth.mask().size(), -1)
 {
 }
 

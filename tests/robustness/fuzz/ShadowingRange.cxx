@@ -40,8 +40,9 @@ Shadowing findShadowing(const truth::LocalTriangle& triangle, const glm::dvec3& 
   const glm::dvec3 fromCorner = glm::dvec3(light) - light.w * triangle.a;
   const double tilt = triangle.rounding * glm::length(fromCorner) *
                       (glm::length(triangle.b - triangle.a) + glm::length(triangle.c - triangle.a));
-  const int lightSide = findSide(glm::dot(normal, fromCorner), tilt + halfSide * (size.x + size.y + size.z) +
-                                                                   light.w * triangle.rounding * glm::length(normal));
+  const double shift = light.w * triangle.rounding * glm::length(normal);
+  const int lightSide =
+      findSide(glm::dot(normal, fromCorner), tilt + shift + halfSide * (size.x + size.y + size.z));
   if (lightSide == pointSide)
   {
     return Shadowing::Never;
@@ -51,7 +52,8 @@ Shadowing findShadowing(const truth::LocalTriangle& triangle, const glm::dvec3& 
   std::array<bool, 3> taken{}; // -1, 0, 1
   for (std::size_t corner = 0; corner < 3; ++corner)
   {
-    const int side = sideOfEdge(corners[corner], corners[(corner + 1) % 3], direction, halfSide, triangle.rounding);
+    const int side =
+        sideOfEdge(corners[corner], corners[(corner + 1) % 3], direction, halfSide, triangle.rounding);
     taken[static_cast<std::size_t>(side + 1)] = true;
   }
   if (taken[0] && taken[2])

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "FuzzSession.h"
+#include "ShadowingRange.h"
 
 namespace shadow::fuzz
 {
@@ -115,6 +116,28 @@ TEST(FuzzTruth, WallMovedByItsMatrix_IsWhereDoublePrecisionHasIt)
     scene.light.position = {0.1, 1.0, 2.0};
     expectTruth(scene, [side](const glm::dvec2& floor) { return (floor.y - 1.0) * side > 0.0; });
   }
+}
+
+// A triangle two units over the point, and a light above it: over its middle, beside it, at its edge, in its plane
+// and below it.
+TEST(ShadowingRange, LightOverBesideAndAtTheEdge)
+{
+  const truth::LocalTriangle triangle{glm::dvec3(-1, -1, 2), glm::dvec3(1, -1, 2), glm::dvec3(0, 1, 2), 0.0, 0, true,
+                                      false, false};
+  const auto find = [&](const glm::dvec3& point, const glm::dvec3& light, double halfSide)
+  { return findShadowing(triangle, point, 0.0, glm::dvec4(light, 1.0), halfSide); };
+  const glm::dvec3 below(0.0, -0.5, 0.0);
+  EXPECT_EQ(find(below, {0.0, -0.5, 3.0}, 1e-9), Shadowing::Always);
+  EXPECT_EQ(find(below, {0.0, -5.0, 3.0}, 1e-9), Shadowing::Never);
+  EXPECT_EQ(find(below, {0.0, -0.5, 1.0}, 1e-9), Shadowing::Never) << "the light is on the point's side";
+  EXPECT_EQ(find(below, {0.0, -0.5, 2.0}, 1e-9), Shadowing::Sometimes) << "the light is in the plane";
+  // At the edge y = -1: what is seen past it depends on how far the light is off in which direction.
+  for (const double y : {-3.0, -1.5, -1.0001})
+  {
+    EXPECT_EQ(find({0.0, y, 0.0}, {0.0, -1.0, 2.0}, 1e-9), Shadowing::Sometimes) << y;
+    EXPECT_EQ(find({0.0, y, 0.0}, {0.0, -1.1, 2.0 + 1e-6}, 1e-9), Shadowing::Never) << y;
+  }
+  EXPECT_EQ(find({0.0, -3.0, 0.0}, {0.0, -0.9, 2.0 + 1e-6}, 1e-9), Shadowing::Always);
 }
 
 } // namespace shadow::fuzz
