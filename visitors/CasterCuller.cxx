@@ -129,8 +129,9 @@ void CasterCuller::apply(SEDGeode& geode)
   PathState& path = geode.getPathState(this->getPath());
   path.modelToWorld = this->getModelToWorld();
   const BoxCorners corners = worldCorners(geode.getGeometry(), path.modelToWorld);
-  path.inView = std::none_of(this->view.planes.begin(), this->view.planes.end(),
-                             [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
+  const bool inFrustum = std::none_of(this->view.planes.begin(), this->view.planes.end(),
+                                      [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
+  path.inView = inFrustum && this->isDrawn();
   for (std::size_t i = 0; i < this->lights.size(); ++i)
   {
     const Light& light = this->lights[i];
@@ -146,7 +147,7 @@ void CasterCuller::apply(SEDGeode& geode)
     }
     else
     {
-      state.plan = this->plan(i, corners, path.inView);
+      state.plan = this->plan(i, corners, inFrustum);
     }
     if (state.plan.skipReason != nullptr)
     {
@@ -157,7 +158,7 @@ void CasterCuller::apply(SEDGeode& geode)
   }
 }
 
-CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners, bool inView) const
+CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners, bool inFrustum) const
 {
   const Light& light = this->lights[lightPlace];
   CasterPlan result;
@@ -182,11 +183,11 @@ CasterPlan CasterCuller::plan(std::size_t lightPlace, const BoxCorners& corners,
   {
     // A cap lies on the caster's own surface, so it is in front of what is seen only where that surface is
     // not drawn.
-    result.lightCap = this->getFaceCulling() != FaceCulling::None;
+    result.lightCap = this->getFaceCulling() != FaceCulling::None || !this->isDrawn();
     return result;
   }
   const bool explicitZFail = this->method == StencilMethod::ZFail;
-  result.lightCap = explicitZFail || inView;
+  result.lightCap = explicitZFail || inFrustum;
   if (light.positionWC.w != 0.0 || !result.isFarAtInfinity())
   {
     const bool fan = sceneEnd || lightOutsideBoundingSphere(light, corners);

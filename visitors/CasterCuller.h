@@ -57,7 +57,7 @@ public:
   int getZFailCasters() const { return this->zFailCasters; }
 
 private:
-  CasterPlan plan(std::size_t lightPlace, const BoxCorners& corners, bool inView) const;
+  CasterPlan plan(std::size_t lightPlace, const BoxCorners& corners, bool inFrustum) const;
   bool nothingBehind(const SEDGeometry& geometry, const glm::dmat4& wcFromModel, const Light& light) const;
   std::optional<glm::dvec4> chooseSceneEnd(const Light& light, const BoxCorners& corners,
                                            StencilCount count) const;

@@ -67,6 +67,10 @@ public:
   using NodeVisitor::apply;
   void apply(SEDGeode& geode) override
   {
+    if (!this->isDrawn())
+    {
+      return;
+    }
     const SEDGeometry& geometry = geode.getGeometry();
     const std::optional<glm::dvec4> eyeMC =
         lightToModel(this->eye, this->getModelToWorld(), geometry.getOrigin());

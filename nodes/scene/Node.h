@@ -35,6 +35,8 @@ public:
 
   std::string name;                            ///< for messages
   bool visible = true;                         ///< false: the subgraph is neither drawn nor casts
+  bool drawn = true;                           ///< false: the subgraph casts but no pixel shows it, nor does
+                                               ///< it hide anything
   bool casting = true;                         ///< false: the subgraph is drawn but casts nothing, or, for
                                                ///< outlines, has none
   FaceCulling faceCulling = FaceCulling::None; ///< what the subgraph's surfaces hide from the camera

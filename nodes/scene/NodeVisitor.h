@@ -32,13 +32,16 @@ public:
     {
       return;
     }
+    const bool parentDrawn = this->drawn;
     const bool parentCasts = this->casting;
     const FaceCulling parentCulling = this->faceCulling;
+    this->drawn = parentDrawn && node.drawn;
     this->casting = parentCasts && node.casting;
     this->faceCulling = node.faceCulling == FaceCulling::None ? parentCulling : node.faceCulling;
     this->nodePath.push_back(&node);
     visit();
     this->nodePath.pop_back();
+    this->drawn = parentDrawn;
     this->casting = parentCasts;
     this->faceCulling = parentCulling;
   }
@@ -49,12 +52,14 @@ protected:
   /// Model to world space of the node that is visited.
   const glm::dmat4& getModelToWorld() const { return this->modelToWorld; }
   const NodePath& getPath() const { return this->nodePath; }
+  bool isDrawn() const { return this->drawn; }
   bool isCasting() const { return this->casting; }
   FaceCulling getFaceCulling() const { return this->faceCulling; }
 
 private:
   NodePath nodePath;
   glm::dmat4 modelToWorld{1.0};
+  bool drawn = true;
   bool casting = true;
   FaceCulling faceCulling = FaceCulling::None;
 };

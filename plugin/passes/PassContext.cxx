@@ -71,6 +71,12 @@ std::string findFault(const View& view)
   return drawable ? "" : "the camera's position or scale is beyond what single precision holds";
 }
 
+std::set<vtkProp*> drawnProps(const vtkRenderState* s)
+{
+  vtkProp** props = s->GetPropArray();
+  return {props, props + s->GetPropArrayCount()};
+}
+
 bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
                                 int& rendered)
 {

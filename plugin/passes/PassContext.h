@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include <vtkCameraPass.h>
@@ -148,6 +149,9 @@ View currentView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
 
 /// Why nothing can be drawn with a view: its matrix is beyond single precision or not finite. Else empty.
 std::string findFault(const View& view);
+
+/// The props that VTK draws with a state: those that its cullers have left.
+std::set<vtkProp*> drawnProps(const vtkRenderState* s);
 
 /// What VTK draws a scene with, one pass for each part.
 struct ScenePasses

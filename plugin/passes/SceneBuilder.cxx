@@ -155,6 +155,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   const std::shared_ptr<Transform>& transform = placed.transform;
   transform->name = this->describe(actor);
   transform->faceCulling = faceCullingOf(actor);
+  transform->drawn = settings.drawn.count(path.front()) != 0;
   transform->casting = std::all_of(path.begin(), path.end(), settings.isCasting);
   // VTK stores row-major, GLM column-major.
   transform->matrix = glm::transpose(glm::make_mat4(assemblyPath->GetLastNode()->GetMatrix()->GetData()));

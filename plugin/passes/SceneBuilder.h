@@ -35,6 +35,7 @@ public:
     bool weldsRounding = false; ///< points that single precision hardly tells apart at the size of their mesh
                                 ///< count as one, too
     bool copiesCountOnce = false; ///< see SEDGeometryOptions::copiesCountOnce
+    std::set<vtkProp*> drawn; ///< the renderer's props that VTK draws: its cullers leave out others
     std::function<bool(vtkProp*)>
         isCasting;                  ///< asked for every prop on the way to an actor; see Node::casting
     std::string product = "shadow"; ///< what a prop that cannot be used has none of, for messages

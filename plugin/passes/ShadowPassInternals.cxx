@@ -90,11 +90,13 @@ vtkShadowVolumePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpen
 }
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, vtkOpenGLRenderer* renderer,
+bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, const vtkRenderState* s,
+                                                    vtkOpenGLRenderer* renderer,
                                                     vtkOpenGLRenderWindow* window)
 {
   RendererState& state = this->GetState(renderer, window);
   this->Current = &state;
+  this->Drawn = shadow::drawnProps(s);
   this->Status = STATUS_OK;
   this->Message.clear();
   this->Skipped.clear();
@@ -188,6 +190,7 @@ void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, R
 {
   shadow::SceneBuilder::Settings settings;
   settings.weldTolerance = self->WeldTolerance;
+  settings.drawn = this->Drawn;
   settings.isCasting = [this](vtkProp* prop) { return !this->NotCasting.has(prop); };
   if (state.Builder.update(state.Context.getRenderer(), settings, *state.Effect))
   {

@@ -57,7 +57,8 @@ public:
 
   /// Brings the scene graph up to date and renders the shadow mask. @return false when there can be no
   /// shadows
-  bool PrepareMask(vtkShadowVolumePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
+  bool PrepareMask(vtkShadowVolumePass* self, const vtkRenderState* s, vtkOpenGLRenderer* renderer,
+                   vtkOpenGLRenderWindow* window);
 
   /// Of the last rendering; all zero before the first.
   const shadow::ShadowVolumeEffect::Statistics& GetStatistics() const;
@@ -77,6 +78,7 @@ public:
   shadow::RendererStates<RendererState> Renderers;
   RendererState* Current = nullptr; ///< of the last rendering
 
+  std::set<vtkProp*> Drawn; ///< of the last rendering; only to be compared with
   int Status = STATUS_NOT_RENDERED;
   std::string Message;
   std::set<std::string> ShaderMessages; ///< of shaders that have been built since ShaderTime

@@ -14,8 +14,8 @@ vtkSilhouettePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGL
 }
 
 //------------------------------------------------------------------------------
-void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpenGLRenderer* renderer,
-                                                vtkOpenGLRenderWindow* window)
+void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, const vtkRenderState* s,
+                                                vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
 {
   RendererState& state = this->GetState(renderer, window);
   this->Status = STATUS_OK;
@@ -33,6 +33,7 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, vtkOpen
   sceneSettings.weldTolerance = self->WeldTolerance;
   sceneSettings.weldsRounding = true; // a seam that nobody sees must not show as a border
   sceneSettings.copiesCountOnce = true; // nor the back of a sheet, stored beside its front
+  sceneSettings.drawn = shadow::drawnProps(s);
   sceneSettings.isCasting = [this](vtkProp* prop) { return !this->NotOutlined.has(prop); };
   sceneSettings.product = "outline";
   state.Builder.update(renderer, sceneSettings, state.Effect);

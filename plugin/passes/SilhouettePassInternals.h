@@ -41,7 +41,8 @@ public:
   RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
 
   /// Mirrors the scene and draws its lines over what is there.
-  void DrawLines(vtkSilhouettePass* self, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
+  void DrawLines(vtkSilhouettePass* self, const vtkRenderState* s, vtkOpenGLRenderer* renderer,
+                 vtkOpenGLRenderWindow* window);
 
   const shadow::OutlineEffect::Statistics& GetStatistics() const
   {

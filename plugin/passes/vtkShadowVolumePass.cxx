@@ -72,7 +72,7 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   {
     this->RenderPart(this->Internals->Passes.lights, s);
   }
-  const bool shadowed = this->Internals->PrepareMask(this, renderer, window);
+  const bool shadowed = this->Internals->PrepareMask(this, s, renderer, window);
   if (shadowed)
   {
     this->RenderShadowed(s);

@@ -142,7 +142,7 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
   {
     this->RenderPart(internals.Delegate, s);
   }
-  internals.DrawLines(this, renderer, window);
+  internals.DrawLines(this, s, renderer, window);
   if (complete)
   {
     this->RenderPart(internals.Passes.overlay, s);

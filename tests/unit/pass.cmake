@@ -23,7 +23,7 @@ if(VTKSHADOW_HEADLESS)
     pass/test_pass_changes.cxx
     pass/test_pass_growth.cxx
     pass/test_pass_lights.cxx
-    pass/test_pass_drawn.cxx
+    pass/test_pass_culled.cxx pass/test_pass_drawn.cxx
     pass/test_pass_mappers.cxx
     pass/test_pass_materials.cxx
     pass/test_pass_reports.cxx

@@ -12,6 +12,7 @@
 #include <vtkSkybox.h>
 #include <vtkTexture.h>
 
+#include "ExcludingCuller.h"
 #include "OutlineBall.h"
 
 using namespace shadow::test;
@@ -44,6 +45,26 @@ TEST(OutlineDrawn, ShaderThatMovesVertices_NoLinesAtTheOldPlace)
       "//VTK::PositionVC::Impl", true,
       "//VTK::PositionVC::Impl\ngl_Position = MCDCMatrix * (vertexMC + vec4(0.0, 0.5, 0.0, 0.0));\n", false);
   EXPECT_EQ(countDifferent(scene.renderLines(), tableOnly), 0u);
+}
+
+TEST(OutlineDrawn, PropThatVtkCulls_HasNoLinesAndHidesNone)
+{
+  for (const int technique : {vtkSilhouettePass::TECHNIQUE_RECTANGLES, vtkSilhouettePass::TECHNIQUE_FACES})
+  {
+    OutlineBall scene;
+    scene.outlines->SetTechnique(technique);
+    const Pixels both = scene.renderLines();
+    scene.ballActor->VisibilityOff();
+    const Pixels tableOnly = scene.renderLines();
+    EXPECT_GT(countDifferent(both, tableOnly), 100u);
+    scene.ballActor->VisibilityOn();
+    vtkNew<ExcludingCuller> culler;
+    culler->excluded = scene.ballActor;
+    scene.renderer->AddCuller(culler);
+    EXPECT_EQ(countDifferent(scene.renderLines(), tableOnly), 0u);
+    culler->excluded = nullptr;
+    EXPECT_EQ(countDifferent(scene.renderLines(), both), 0u);
+  }
 }
 
 TEST(OutlineDrawn, LineWidthThatIsNone_OneWarningAndTheOldWidth)
