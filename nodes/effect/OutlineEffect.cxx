@@ -121,11 +121,11 @@ bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view,
   {
     return false;
   }
-  const bool drawn = this->drawStages(window, wideView, settings, error);
+  const bool succeeds = this->drawStages(window, wideView, settings, error);
   this->surfaces.clear();
   this->drawables.sweep();
   sweepUnused(this->paths, [](PathLines& lines) { lines.drawable.release(false); });
-  return drawn;
+  return succeeds;
 }
 
 bool OutlineEffect::drawStages(vtkOpenGLRenderWindow* window, const View& wideView, const Settings& settings,

@@ -48,46 +48,46 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   {
     return false;
   }
-  bool drawn = true;
+  bool succeeds = true;
   if (lights.empty())
   {
     this->target.begin(window->GetState(), this->capabilities.clipControl);
   }
   else
   {
-    drawn = this->drawStages({window, view, lights, settings}, error);
+    succeeds = this->drawStages({window, view, lights, settings}, error);
   }
   this->drawables.sweep();
-  return drawn;
+  return succeeds;
 }
 
 bool ShadowVolumeEffect::drawStages(const Frame& frame, std::string& error)
 {
   Stopwatch stage;
   this->cull(frame);
-  bool drawn = this->findFacing(frame, error);
+  bool succeeds = this->findFacing(frame, error);
   this->statistics.silhouetteMilliseconds = stage.getMilliseconds();
 
   stage = {};
-  drawn = drawn && this->drawPrePass(frame, error);
+  succeeds = succeeds && this->drawPrePass(frame, error);
   finishStage(frame.settings.waitAfterStages);
   this->statistics.prePassMilliseconds = stage.getMilliseconds();
 
   stage = {};
   // The GL starts on the pre-pass while silhouettes are found.
   glFlush();
-  drawn = drawn && this->findSilhouettes(frame, error);
+  succeeds = succeeds && this->findSilhouettes(frame, error);
   this->statistics.silhouetteMilliseconds += stage.getMilliseconds();
 
   stage = {};
   for (const Light& light : frame.lights)
   {
-    drawn = drawn && this->drawVolumes(frame, light, error);
+    succeeds = succeeds && this->drawVolumes(frame, light, error);
   }
   this->hiddenBacks.fetch();
   finishStage(frame.settings.waitAfterStages);
   this->statistics.stencilMilliseconds = stage.getMilliseconds();
-  return drawn;
+  return succeeds;
 }
 
 void ShadowVolumeEffect::chooseFinder(const Settings& settings)

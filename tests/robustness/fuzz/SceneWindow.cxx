@@ -8,6 +8,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCullerCollection.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPoints.h>
 
@@ -96,6 +97,7 @@ bool hasNoArea(const FuzzMesh& mesh)
 void SceneWindow::show(const FuzzScene& scene)
 {
   vtkRenderer* renderer = this->window.renderer;
+  renderer->GetCullers()->RemoveAllItems(); // rays know no far plane, beyond which VTK would leave out props
   renderer->RemoveAllViewProps();
   renderer->RemoveAllLights();
   this->window.window->SetSize(scene.size.x, scene.size.y);
