@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace shadow::examples
 {
@@ -50,11 +51,17 @@ std::array<double, 3> PointRange::getShift() const
   return shift;
 }
 
-double PointRange::getVisibleStep() const
+std::string PointRange::describeStep() const
 {
   const double magnitude = this->getMagnitude();
   const double step = magnitude > 0.0 ? std::exp2(std::floor(std::log2(magnitude)) - 23.0) : 0.0;
-  return step > this->getSize() / 4096.0 ? step : 0.0;
+  if (step <= this->getSize() / 4096.0)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "its points are stored in single precision, which has steps of " << step << " there";
+  return text.str();
 }
 
 } // namespace shadow::examples

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <string>
 
 namespace shadow::examples
 {
@@ -19,9 +20,10 @@ public:
   /// To be taken off the points so that single precision holds them: whole numbers; 0 where isFar() is false.
   std::array<double, 3> getShift() const;
 
-  /// Distance of neighbouring numbers in single precision where the points are farthest from 0; 0 where it is
-  /// less than a 4096th of the box's size, of which a picture shows nothing.
-  double getVisibleStep() const;
+  /// A warning of points that the file holds in single precision, with the distance of neighbouring numbers where
+  /// they are farthest from 0; empty where that is less than a 4096th of the box's size, of which a picture shows
+  /// nothing.
+  std::string describeStep() const;
 
 private:
   double getSize() const;

@@ -9,7 +9,6 @@
 #include <fstream>
 #include <iomanip>
 #include <limits>
-#include <sstream>
 #include <string_view>
 
 #include "PointRange.h"
@@ -117,9 +116,14 @@ TextFindings lookThrough(std::istream& stream)
   {
     findings.longLine = findings.longLine || line.size() > longestLine;
     std::string_view rest = line;
-    if (lowerCase(nextWord(rest)) == "vertex" && areFinite(readPoint(rest)))
+    if (lowerCase(nextWord(rest)) != "vertex")
     {
-      findings.range.add(readPoint(rest));
+      continue;
+    }
+    const std::array<double, 3> point = readPoint(rest);
+    if (areFinite(point))
+    {
+      findings.range.add(point);
     }
   }
   return findings;
@@ -201,12 +205,10 @@ void checkBinary(const std::string& file, std::istream& stream, std::vector<std:
   {
     throw UserError("cannot be read: neither text nor as long as its header says");
   }
-  const double step = readBinaryRange(stream, count).getVisibleStep();
-  if (step > 0.0)
+  const std::string warning = readBinaryRange(stream, count).describeStep();
+  if (!warning.empty())
   {
-    std::ostringstream text;
-    text << step;
-    warnings.push_back("its points are stored in single precision, which has steps of " + text.str() + " there");
+    warnings.push_back(warning);
   }
 }
 

@@ -119,37 +119,36 @@ bool CertainPixels::findCertainty(int x, int y) const
                      [&](const glm::dvec2& place)
                      {
                        const truth::Ray ray = this->rays.through(x + 0.5 + place.x, y + 0.5 + place.y);
-                       return !this->caster.firstHit(ray) == isBackground &&
-                              this->hasSameAnswerNearby(ray, isShadowed) && !this->isInPlaneOfLight(ray) &&
-                              this->hasSameBlockersNearby(ray) && this->hasSameAnswerInDepth(ray, isShadowed);
+                       const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
+                       if (!hit || isBackground)
+                       {
+                         return !hit && isBackground;
+                       }
+                       return this->hasSameAnswerNearby(*hit, isShadowed) && !this->isInPlaneOfLight(*hit) &&
+                              this->hasSameBlockersNearby(*hit) &&
+                              this->hasSameAnswerInDepth(ray, *hit, isShadowed);
                      });
 }
 
-bool CertainPixels::hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) const
+bool CertainPixels::hasSameAnswerNearby(const truth::Hit& hit, bool isShadowed) const
 {
-  return std::all_of(this->movedLights.begin(), this->movedLights.end(),
-                     [&](const truth::LocalLight& moved)
-                     { return (this->caster.answer(ray, moved) == truth::Answer::Shadowed) == isShadowed; });
+  return std::all_of(this->movedLights.begin(), this->movedLights.end(), [&](const truth::LocalLight& moved)
+                     { return this->caster.isReached(hit, moved) != isShadowed; });
 }
 
-bool CertainPixels::hasSameBlockersNearby(const truth::Ray& ray) const
+bool CertainPixels::hasSameBlockersNearby(const truth::Hit& hit) const
 {
-  const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
-  if (!hit)
-  {
-    return true;
-  }
-  const double rounding = this->triangles[hit->triangle].rounding;
+  const double rounding = this->triangles[hit.triangle].rounding;
   bool same = true;
   for (std::size_t i = 0; i < this->triangles.size(); ++i)
   {
     const truth::LocalTriangle& triangle = this->triangles[i];
-    if (i == hit->triangle || !triangle.casts)
+    if (i == hit.triangle || !triangle.casts)
     {
       continue;
     }
     const Shadowing shadowing =
-        findShadowing(triangle, hit->point, rounding, this->movedLights.front().position, this->halfSide);
+        findShadowing(triangle, hit.point, rounding, this->movedLights.front().position, this->halfSide);
     if (shadowing == Shadowing::Always)
     {
       return true;
@@ -159,28 +158,22 @@ bool CertainPixels::hasSameBlockersNearby(const truth::Ray& ray) const
   return same;
 }
 
-bool CertainPixels::hasSameAnswerInDepth(const truth::Ray& ray, bool isShadowed) const
+bool CertainPixels::hasSameAnswerInDepth(const truth::Ray& ray, const truth::Hit& hit, bool isShadowed) const
 {
-  const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
-  if (!hit)
-  {
-    return true;
-  }
-  const truth::LocalTriangle& triangle = this->triangles[hit->triangle];
+  const truth::LocalTriangle& triangle = this->triangles[hit.triangle];
   const truth::LocalLight& light = this->movedLights.front();
   const glm::dvec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
-  const glm::dvec3 toLight = glm::normalize(glm::dvec3(light.position) - light.position.w * hit->point);
-  const glm::dvec3 toEye = glm::normalize(ray.direction);
-  const double far = std::max({glm::distance(ray.origin, hit->point), truth::largestCoordinate(triangle.a),
+  const glm::dvec3 toLight = glm::normalize(glm::dvec3(light.position) - light.position.w * hit.point);
+  const double far = std::max({glm::distance(ray.origin, hit.point), truth::largestCoordinate(triangle.a),
                                truth::largestCoordinate(triangle.b), truth::largestCoordinate(triangle.c)});
-  const double lifted = depthRoundings * far * glm::dot(normal, toEye);
+  const double lifted = depthRoundings * far * glm::dot(normal, ray.direction);
   // Where the light's ray through the lifted point meets the surface: a point off the surface would be behind
   // whatever coincides with it.
   const double steepness = glm::dot(normal, toLight);
   const glm::dvec3 along = toLight - steepness * normal;
   for (const double step : {-1.0, -0.5, 0.5, 1.0})
   {
-    truth::Hit moved = *hit;
+    truth::Hit moved = hit;
     moved.point += step * lifted / steepness * along;
     // Beyond an edge of its own, the volume's side that hangs from there is within rounding of what is seen.
     if (this->caster.isReached(moved, light) == isShadowed || !isInPrism(triangle, moved.point, normal))
@@ -191,19 +184,18 @@ bool CertainPixels::hasSameAnswerInDepth(const truth::Ray& ray, bool isShadowed)
   return true;
 }
 
-bool CertainPixels::isInPlaneOfLight(const truth::Ray& ray) const
+bool CertainPixels::isInPlaneOfLight(const truth::Hit& hit) const
 {
-  const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
-  for (std::size_t i = 0; hit && i < this->triangles.size(); ++i)
+  for (std::size_t i = 0; i < this->triangles.size(); ++i)
   {
     for (const truth::LocalLight& moved : this->movedLights)
     {
-      const glm::dvec3 direction = glm::dvec3(moved.position) - moved.position.w * hit->point;
-      if (i == hit->triangle && isGrazing(this->triangles[i], direction))
+      const glm::dvec3 direction = glm::dvec3(moved.position) - moved.position.w * hit.point;
+      if (i == hit.triangle && isGrazing(this->triangles[i], direction))
       {
         return true;
       }
-      if ((i == hit->triangle || truth::lineVolumes(this->triangles[i], hit->point, direction).crosses()) &&
+      if ((i == hit.triangle || truth::lineVolumes(this->triangles[i], hit.point, direction).crosses()) &&
           truth::sideOfPlane(this->triangles[i], moved.position, moved.rounding) == 0)
       {
         return true;

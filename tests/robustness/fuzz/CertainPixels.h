@@ -14,8 +14,8 @@ namespace shadow::fuzz
 /// A pixel is certain when its answer stays the same
 /// - at the four points 1/64 pixel off its centre diagonally, since rasterisers move corners that far, where the
 ///   rest holds as well; background, which has no answer, is seen at all or at none of the five;
-/// - when what is seen moves in depth by 32 units in the last place, in single precision, of the distance to the
-///   eye or of the triangle's farthest corner: depth buffers and positions in clip space have no more digits, and
+/// - when what is seen moves in depth by 4 units in the last place, in single precision, of the distance to the
+///   near plane or of the triangle's farthest corner: depth buffers and positions in clip space have no more digits, and
 ///   where light grazes a surface, its volumes are as good as in it;
 /// - when the light moves by a few roundings: anywhere in a cube around it whose half side is 32 units in the
 ///   last place, in double precision, of the largest coordinate of the scene and the light; or, for a
@@ -55,10 +55,10 @@ public:
 
 private:
   bool findCertainty(int x, int y) const;
-  bool hasSameAnswerNearby(const truth::Ray& ray, bool isShadowed) const;
-  bool hasSameBlockersNearby(const truth::Ray& ray) const;
-  bool hasSameAnswerInDepth(const truth::Ray& ray, bool isShadowed) const;
-  bool isInPlaneOfLight(const truth::Ray& ray) const;
+  bool hasSameAnswerNearby(const truth::Hit& hit, bool isShadowed) const;
+  bool hasSameBlockersNearby(const truth::Hit& hit) const;
+  bool hasSameAnswerInDepth(const truth::Ray& ray, const truth::Hit& hit, bool isShadowed) const;
+  bool isInPlaneOfLight(const truth::Hit& hit) const;
 
   truth::RayCaster caster;
   truth::MaskTruth truth;

@@ -17,7 +17,6 @@
 #include <fstream>
 #include <limits>
 #include <memory>
-#include <sstream>
 
 #include "PlyHeader.h"
 #include "PlyValues.h"
@@ -218,11 +217,10 @@ private:
     }
     this->setPoints(places, range.isFar());
     const bool rounded = !this->text && element.properties[xyz[0]].type.size < 8;
-    if (rounded && range.getVisibleStep() > 0.0)
+    const std::string warning = rounded ? range.describeStep() : std::string();
+    if (!warning.empty())
     {
-      std::ostringstream step;
-      step << range.getVisibleStep();
-      warnings.push_back("its points are stored in single precision, which has steps of " + step.str() + " there");
+      warnings.push_back(warning);
     }
     this->mesh->GetPointData()->SetNormals(normal.empty() ? nullptr : normals.Get());
     this->mesh->GetPointData()->SetScalars(colours.any() ? colours.get() : nullptr);
