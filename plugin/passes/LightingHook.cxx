@@ -85,15 +85,13 @@ bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
     replaceAll(fragmentShader, "vec4(ambientColor + diffuse + specular, opacity)",
                "vec4((shadowPass < 0 ? ambientColor : vec3(0.0)) + diffuse + specular, opacity)");
   }
-  else
+  // A shader that is not a sum over lights is drawn in the ambient pass and adds nothing in the lighting passes.
+  // Alpha tells there that the surface shows.
+  const std::size_t end = fragmentShader.rfind('}');
+  if (end != std::string::npos)
   {
-    // A shader that is not a sum over lights is drawn in the ambient pass and adds nothing in the lighting
-    // passes.
-    const std::size_t end = fragmentShader.rfind('}');
-    if (end != std::string::npos)
-    {
-      fragmentShader.insert(end, "  if (shadowPass >= 0) { gl_FragData[0] = vec4(0.0); }\n");
-    }
+    const std::string light = blinnPhong > 0 ? "gl_FragData[0].rgb" : "vec3(0.0)";
+    fragmentShader.insert(end, "  if (shadowPass >= 0) { gl_FragData[0] = vec4(" + light + ", 1.0); }\n");
   }
   const std::size_t main = fragmentShader.find("void main()");
   if (main != std::string::npos)

@@ -61,7 +61,9 @@ double chooseWeldTolerance(vtkPolyData* polyData, const SceneBuilder::Settings& 
 bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group& root)
 {
   const std::set<vtkProp*> mirroredBefore = std::move(this->mirrored);
+  const std::set<vtkMapper*> mappersBefore = std::move(this->mappersOfOthers);
   this->mirrored.clear();
+  this->mappersOfOthers.clear();
   this->skipped.clear();
   this->errors.clear();
   this->triangles = 0;
@@ -81,7 +83,7 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
     }
   }
   this->dropUnused();
-  return this->mirrored != mirroredBefore;
+  return this->mirrored != mirroredBefore || this->mappersOfOthers != mappersBefore;
 }
 
 void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
@@ -106,6 +108,10 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
     if (actor != nullptr && actor->GetMapper() != nullptr)
     {
       this->addActor(actor, path, assemblyPath, settings, root);
+      if (this->mirrored.count(actor) == 0)
+      {
+        this->mappersOfOthers.insert(actor->GetMapper());
+      }
     }
     else if (path.back()->IsA("vtkImageSlice") != 0 || path.back()->IsA("vtkLODProp3D") != 0)
     {
@@ -225,6 +231,12 @@ std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData,
     this->refuse(name, mesh.error, settings);
   }
   return mesh.geode;
+}
+
+bool SceneBuilder::isMirrored(vtkProp* prop) const
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return this->mirrored.count(prop) != 0 && this->mappersOfOthers.count(actor->GetMapper()) == 0;
 }
 
 vtkProp* SceneBuilder::findActor(const Node* transform) const

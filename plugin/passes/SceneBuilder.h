@@ -17,6 +17,7 @@
 
 class vtkActor;
 class vtkAssemblyPath;
+class vtkMapper;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -46,8 +47,9 @@ public:
   /// @return true when other actors are mirrored than the last time
   bool update(vtkRenderer* renderer, const Settings& settings, Group& root);
 
-  /// True when the actor's surfaces are in the graph, so that its pixels have their own place in the mask.
-  bool isMirrored(vtkProp* actor) const { return this->mirrored.count(actor) != 0; }
+  /// True for an actor when all that are drawn with its mapper, and so with its shader, have their surfaces in
+  /// the graph, so that their pixels have their own place in the mask.
+  bool isMirrored(vtkProp* prop) const;
 
   /// The actor of a transform that stands for it alone: one data set, drawn in one place. Else nullptr.
   vtkProp* findActor(const Node* transform) const;
@@ -102,6 +104,7 @@ private:
   DrawnSurfaces surfaces;
   std::map<PropPath, PlacedActor> transforms;
   std::set<vtkProp*> mirrored;
+  std::set<vtkMapper*> mappersOfOthers; ///< of actors that are not mirrored
   std::set<CasterCuller::Skipped> skipped;
   std::vector<std::string> errors;
   std::size_t triangles = 0;

@@ -17,7 +17,12 @@ vtkShadowVolumePass::vtkInternals::RendererState::~RendererState()
 //------------------------------------------------------------------------------
 void vtkShadowVolumePass::vtkInternals::RendererState::Release()
 {
-  this->Context.release([this](bool contextLost) { this->Effect->release(contextLost); });
+  this->Context.release(
+      [this](bool contextLost)
+      {
+        this->Effect->release(contextLost);
+        this->Lights.release(contextLost);
+      });
 }
 
 //------------------------------------------------------------------------------
@@ -27,6 +32,7 @@ void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
       [this]
       {
         this->Effect->release(true);
+        this->Lights.release(true);
         this->Refusals.clear();
       });
 }

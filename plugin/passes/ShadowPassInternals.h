@@ -11,6 +11,7 @@
 #include <vtkTimeStamp.h>
 
 #include "LightCollector.h"
+#include "LightTarget.h"
 #include "LightingHook.h"
 #include "PassContext.h"
 #include "SceneBuilder.h"
@@ -28,6 +29,7 @@ public:
     shadow::PassContext Context;
     shadow::SceneBuilder Builder;
     std::shared_ptr<shadow::ShadowVolumeEffect> Effect = std::make_shared<shadow::ShadowVolumeEffect>();
+    shadow::LightTarget Lights; ///< Additive only
     shadow::View View;
     shadow::MessageFilter Messages;
 
@@ -51,7 +53,8 @@ public:
     void Release();
     std::size_t GetMemorySize() const
     {
-      return this->Builder.getMemorySize() + this->Effect->getGraphicsMemorySize();
+      return this->Builder.getMemorySize() + this->Effect->getGraphicsMemorySize() +
+             this->Lights.getMemorySize();
     }
   };
 
@@ -65,6 +68,17 @@ public:
 
   /// Has the GL leave out triangles of a prop that is about to be drawn, if no pixel shows them.
   void SetHiddenSide(vtkProp* prop);
+
+  /// Makes ready for adding lights one by one. @return false, with a message, when the GL cannot
+  bool BeginLights();
+
+  /// Draws what each light adds to the picture of AmbientOnly, and adds it.
+  void AddLights(const vtkRenderState* s);
+
+  /// Has a prop that is about to be drawn show where it does in the picture: of surfaces that coincide one.
+  /// Does nothing but in a lighting pass.
+  /// @param asked  its shader tells what the light adds; others add nothing where they show
+  void BlendLight(bool asked);
 
   void Release(vtkWindow* window);
   void AddMessage(const std::string& message); ///< of something left out
@@ -88,6 +102,7 @@ public:
   int ShadowLights = 0;
   int UsedMethod = -1; ///< SilhouetteMethods; none before the first rendering
   int LightingPasses = 0;
+  bool FirstShows = true; ///< of surfaces that coincide, the one that VTK draws first
   double SceneMilliseconds = 0.0;
   double LightingMilliseconds = 0.0;
 

@@ -112,7 +112,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   hook.begin(state, *internals.Current->Effect, internals.Current->View);
   this->PreRender(s);
-  if (this->Compositing == COMPOSITING_MASK)
+  if (this->Compositing == COMPOSITING_MASK || !internals.BeginLights())
   {
     hook.pass = shadow::LightingHook::AllLights;
     this->RenderPart(internals.Passes.opaque, s);
@@ -121,18 +121,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   {
     hook.pass = shadow::LightingHook::AmbientOnly;
     this->RenderPart(internals.Passes.opaque, s);
-    const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    const vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
-    state->vtkglDepthFunc(GL_EQUAL);
-    for (std::size_t light = 0; light < hook.strength.size() && light < shadow::maximumLights; ++light)
-    {
-      hook.pass = static_cast<int>(light);
-      internals.Passes.opaque->Render(s);
-      ++internals.LightingPasses;
-    }
+    internals.AddLights(s);
   }
   this->PostRender(s);
   hook.end(state);
@@ -169,6 +158,7 @@ bool vtkShadowVolumePass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
 {
   this->Internals->Hook.setUniforms(program);
   this->Internals->SetHiddenSide(prop);
+  this->Internals->BlendLight(true);
   return this->Superclass::SetShaderParameters(program, mapper, prop, VAO);
 }
 

@@ -20,6 +20,7 @@ if(VTKSHADOW_HEADLESS)
     pass/VolumeCounter.cxx
     pass/test_gpu_silhouette.cxx
     pass/test_hidden_backs.cxx
+    pass/test_pass_additive.cxx
     pass/test_pass_changes.cxx
     pass/test_pass_growth.cxx
     pass/test_pass_lights.cxx

@@ -37,7 +37,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool fromNear, const std::str
     const char* switches;
     const char* geometry = "";
   };
-  static const std::array<Sources, 21> stages = {
+  static const std::array<Sources, 22> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -50,6 +50,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool fromNear, const std::str
               "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTISAMPLE\n"},
       Sources{shaders::screen_vert, shaders::back_frag, ""},
       Sources{shaders::screen_vert, shaders::resolve_frag, ""},
+      Sources{shaders::screen_vert, shaders::light_frag, ""},
       Sources{shaders::facing_vert, shaders::facing_frag, ""},
       Sources{shaders::surface_vert, shaders::prepass_frag, ""},
       Sources{shaders::surface_vert, shaders::volume_frag,

@@ -25,6 +25,7 @@ public:
     MaskFromSamples, ///< the same with several samples a pixel
     BackSeen,
     Resolve,
+    AddLight,
     Facing, ///< parallel does not matter
     // Where the facing is known to the GPU only, see shaders/facingSource.glsl:
     SurfacePrePass,

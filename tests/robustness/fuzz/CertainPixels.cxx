@@ -205,23 +205,6 @@ bool CertainPixels::isInPlaneOfLight(const truth::Hit& hit) const
   return false;
 }
 
-bool CertainPixels::isOneSurface(int x, int y) const
-{
-  constexpr double depthStep = 1.0 / (1 << 21);
-  const truth::Ray ray = this->rays.through(x + 0.5, y + 0.5);
-  std::vector<double> depths;
-  for (const truth::LocalTriangle& triangle : this->triangles)
-  {
-    if (const std::optional<truth::Hit> hit = truth::hitTriangle(triangle, ray))
-    {
-      const glm::dvec4 clip = this->rays.toClip(hit->point);
-      depths.push_back(clip.z / clip.w);
-    }
-  }
-  std::sort(depths.begin(), depths.end());
-  return depths.size() < 2 || depths[1] - depths[0] > depthStep;
-}
-
 std::size_t CertainPixels::countCertain() const
 {
   std::size_t count = 0;

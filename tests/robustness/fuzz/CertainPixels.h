@@ -44,12 +44,6 @@ public:
   /// Casts up to a hundred rays at the first question, then remembers.
   bool isCertain(int x, int y) const;
 
-  /// Whether no other surface is as near to the eye as the one that is seen, as far as a depth buffer of 24
-  /// bits tells. Elsewhere lights that are added up are added once for each, and the picture has no right
-  /// colour.
-  /// @par Cost  O(triangles)
-  bool isOneSurface(int x, int y) const;
-
   /// @par Cost  O(pixels) camera rays
   std::size_t countCertain() const;
 

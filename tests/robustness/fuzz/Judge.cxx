@@ -41,17 +41,6 @@ void judgePixel(const CertainPixels& truth, const std::vector<DrawnMask>& masks,
   verdict.differing += wrong > 0 && wrong < masks.size() ? 1 : 0;
 }
 
-std::size_t countWrongInPicture(const CertainPixels& truth, const DrawnMask& drawn)
-{
-  const auto isOneSurface = [&truth](std::size_t pixel)
-  {
-    const auto width = static_cast<std::size_t>(truth.getWidth());
-    return truth.isOneSurface(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
-  };
-  return static_cast<std::size_t>(
-      std::count_if(drawn.wrongInPicture.begin(), drawn.wrongInPicture.end(), isOneSurface));
-}
-
 } // namespace
 
 std::size_t getWrongPixelLimit(std::size_t certainPixels)
@@ -70,7 +59,7 @@ SceneVerdict judgeMasks(const CertainPixels& truth, const std::vector<DrawnMask>
     {
       throw std::invalid_argument("judgeMasks: a mask is not of the view's size");
     }
-    verdict.masks.push_back({drawn.config, 0, glm::ivec2(-1), drawn.refusal, countWrongInPicture(truth, drawn)});
+    verdict.masks.push_back({drawn.config, 0, glm::ivec2(-1), drawn.refusal, drawn.wrongInPicture});
   }
   for (int y = 0; y < truth.getHeight() && verdict.getWorst().wrong <= enough; ++y)
   {

@@ -20,7 +20,7 @@ struct MaskVerdict
   std::size_t wrong = 0; ///< certain pixels that differ from the truth
   glm::ivec2 first{-1};  ///< of these, the lowest, leftmost one
   std::string refusal;   ///< as DrawnMask has it
-  std::size_t wrongInPicture = 0; ///< of these that DrawnMask has, the pixels that show one surface
+  std::size_t wrongInPicture = 0; ///< as DrawnMask has it
 };
 
 /// The gravest first.

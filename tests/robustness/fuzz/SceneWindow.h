@@ -16,7 +16,7 @@ struct DrawnMask
   FuzzConfig config;
   std::vector<unsigned char> mask; ///< lowest row first, 255 reached
   std::string refusal; ///< why the pass did not draw all, unless a mesh has no area; empty: it did
-  std::vector<std::size_t> wrongInPicture; ///< where the two compositings differ, see SceneWindow::draw()
+  std::size_t wrongInPicture = 0; ///< pixels in which the two compositings differ, see SceneWindow::draw()
 };
 
 /// A window that draws one scene after the other. GL objects that do not depend on the scene, such as
@@ -40,7 +40,7 @@ public:
 
 private:
   void use(const FuzzConfig& config);
-  std::vector<std::size_t> comparePictures(const FuzzConfig& config);
+  std::size_t comparePictures(const FuzzConfig& config);
 
   truth::ShadowScene window;
   bool hasEmptyMesh = false; ///< without area, which the pass has to refuse
