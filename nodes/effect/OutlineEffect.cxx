@@ -117,7 +117,17 @@ bool OutlineEffect::renderLines(vtkOpenGLRenderWindow* window, const View& view,
   const int possible = std::max(1, largest / std::max(wideView.width, wideView.height));
   const int scale = std::min(possible, settings.depthScale > 0 ? settings.depthScale
                                                                : chooseDepthScale(view.width, view.height));
-  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, scale, error))
+  std::string refusal;
+  if (settings.behindWindow && !this->windowDepth.copy(window->GetState(), refusal))
+  {
+    this->errors.push_back(refusal);
+  }
+  if (!settings.behindWindow)
+  {
+    this->windowDepth.release();
+  }
+  if (!this->target.allocate(window->GetState(), wideView.width, wideView.height, scale, settings.keepsDepth,
+                             error))
   {
     return false;
   }
@@ -140,6 +150,8 @@ bool OutlineEffect::drawStages(vtkOpenGLRenderWindow* window, const View& wideVi
     this->findLines(surface, settings);
   }
   this->chooseDepthRange(wideView);
+  this->keepsDepth = settings.keepsDepth;
+  this->depthToWindow = windowFromDepth(wideView, this->depthRange);
   this->statistics.edgeMilliseconds = stage.getMilliseconds();
 
   stage = {};
@@ -216,6 +228,18 @@ bool OutlineEffect::blend(vtkOpenGLRenderWindow* window, const Look& look, bool 
   program->SetUniform4f("hiddenColor", &hidden.x);
   program->SetUniformi("smoothLines", look.smooth ? 1 : 0);
   this->target.blend(window->GetState(), program, this->margin);
+  if (this->keepsDepth)
+  {
+    program = ShadowPrograms(window).use(ShadowPrograms::OutlineBlend, false, keptDepth);
+    if (program == nullptr)
+    {
+      error = noShader;
+      return false;
+    }
+    program->SetUniform2f("windowFromDepth", &this->depthToWindow.x);
+    program->SetUniformf("nearSign", this->depthRange.reversed ? 1.0f : -1.0f);
+    this->target.blendDepth(window->GetState(), program, this->margin);
+  }
   finishStage(wait);
   this->statistics.blendMilliseconds = stage.getMilliseconds();
   return true;
@@ -239,6 +263,7 @@ std::vector<unsigned char> OutlineEffect::readMask(vtkOpenGLRenderWindow* window
 void OutlineEffect::release(bool contextLost)
 {
   this->target.release(contextLost);
+  this->windowDepth.release(contextLost);
   this->drawables.release(contextLost);
   for (auto& entry : this->paths)
   {
@@ -250,7 +275,8 @@ void OutlineEffect::release(bool contextLost)
 
 std::size_t OutlineEffect::getGraphicsMemorySize() const
 {
-  std::size_t bytes = this->target.getMemorySize() + this->drawables.getMemorySize();
+  std::size_t bytes = this->target.getMemorySize() + this->windowDepth.getMemorySize() +
+                      this->drawables.getMemorySize();
   for (const auto& entry : this->paths)
   {
     bytes += entry.second.drawable.getMemorySize();

@@ -18,6 +18,7 @@
 #include "SilhouetteFinder.h"
 #include "TopologyAwareMesh.h"
 #include "View.h"
+#include "WindowDepth.h"
 
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
@@ -62,6 +63,9 @@ public:
     bool leavesOutFlatFaces = true; ///< Faces: none that can have no line is drawn, see ContributingFaces
     bool splitsLargeFaces = true;   ///< Faces: three thin triangles for one where that covers fewer pixels
     int depthScale = 0; ///< pixels of pass 1 for one of the view, in each direction; 0: chooseDepthScale()
+    bool behindWindow = false; ///< what the bound framebuffer's depth has in front of the graph hides lines
+    bool keepsDepth = false;   ///< blend() has the framebuffer's depth be that of visible lines, for what
+                               ///< comes after, in pixels whose middle they cover
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
 
@@ -84,7 +88,8 @@ public:
     double blendMilliseconds = 0.0;
   };
 
-  /// Draws the lines into a target of the effect's own.
+  /// Draws the lines into a target of the effect's own. Where the window's depth cannot be had, says so in
+  /// getErrors().
   ///
   /// @pre   the window's context is current; GL state is put back before this returns
   /// @return false with a line in @p error when the GL cannot; there are then no lines
@@ -143,6 +148,7 @@ private:
   class SurfaceCollector;
 
   static constexpr const char* noShader = "a shader of the outlines does not compile on this GL";
+  static constexpr const char* keptDepth = "#define SHADOW_LINE_DEPTH\n";
   static constexpr double softness = 0.5; ///< pixels by which a line is drawn beyond its half width
 
   bool drawStages(vtkOpenGLRenderWindow* window, const View& view, const Settings& settings,
@@ -163,6 +169,9 @@ private:
   Capabilities capabilities;
   bool capabilitiesKnown = false;
   OutlineTarget target;
+  WindowDepth windowDepth;
+  bool keepsDepth = false;         ///< Settings::keepsDepth of the lines that were rendered last
+  glm::vec2 depthToWindow{0.0f}; ///< windowFromDepth() of these
   DrawableCache drawables;
   DepthRange depthRange;
   int margin = 0; ///< pixels by which the target is wider than the view, on each side

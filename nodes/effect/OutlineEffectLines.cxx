@@ -83,16 +83,19 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
                               std::string& error)
 {
   vtkOpenGLState* state = window->GetState();
+  const unsigned int windowTexture = this->windowDepth.getTexture();
+  const std::string switches = std::string(settings.keepsDepth ? keptDepth : "") +
+                               (windowTexture != 0 ? "#define SHADOW_WINDOW_DEPTH\n" : "");
   vtkShaderProgram* program =
       ShadowPrograms(window).use(settings.technique == LineTechnique::Faces ? ShadowPrograms::OutlineFaces
                                                                             : ShadowPrograms::OutlineEdges,
-                                 false);
+                                 false, switches);
   if (program == nullptr)
   {
     error = noShader;
     return false;
   }
-  this->target.beginLines(state, program);
+  this->target.beginLines(state, program, windowTexture);
   const bool reversed = this->depthRange.reversed;
   const float screenSize[2] = {static_cast<float>(wideView.width), static_cast<float>(wideView.height)};
   const float depthFromClip[2] = {reversed ? 1.0f : 0.5f, reversed ? 0.0f : 0.5f};
@@ -104,6 +107,11 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
   program->SetUniformf("outside", static_cast<float>(outside));
   program->SetUniformf("lineReach", static_cast<float>(reach));
   program->SetUniformf("halfWidth", static_cast<float>(0.5 * settings.lineWidth));
+  if (windowTexture != 0)
+  {
+    program->SetUniformi("windowMargin", this->margin);
+    program->SetUniform2f("windowFromDepth", &this->depthToWindow.x);
+  }
   const glm::dmat4 clipFromWC = shadowClipFromWC(wideView, this->depthRange);
   const glm::dvec4 farWC = glm::row(wideView.clipFromWC, 3) - glm::row(wideView.clipFromWC, 2);
   for (const Surface& surface : this->surfaces)
@@ -112,10 +120,10 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
     {
       setUniform(program, "clipFromMC", clipFromWC * surface.wcFromMC);
       setUniform(program, "farFromMC", farWC * surface.wcFromMC);
-      const bool drawn = settings.technique == LineTechnique::Faces
+      const bool isDrawn = settings.technique == LineTechnique::Faces
                              ? this->drawFacesOf(surface, state, program, wideView, settings)
                              : this->drawLinesOf(surface, state, program);
-      if (!drawn)
+      if (!isDrawn)
       {
         this->errors.push_back(surface.name + " has no outline: the GL cannot look up a mesh of its size");
       }

@@ -63,4 +63,19 @@ glm::dmat4 shadowClipFromWC(const View& view, const DepthRange& range)
   return glm::row(clip, 2, depth);
 }
 
+glm::dvec2 windowFromDepth(const View& view, const DepthRange& range)
+{
+  DepthRange reversed = range;
+  reversed.reversed = true;
+  // z of VTK's clip space = a w + b depth.
+  const glm::dvec4 z = glm::row(view.clipFromWC, 2);
+  const glm::dvec4 w = glm::row(view.clipFromWC, 3);
+  const glm::dvec4 depth = glm::row(shadowClipFromWC(view, reversed), 2);
+  const glm::dvec3 direction(view.parallel ? depth : w);
+  const double ratio = glm::dot(glm::dvec3(z), direction) / glm::dot(direction, direction);
+  const double a = view.parallel ? (z.w - ratio * depth.w) / w.w : ratio;
+  const double b = view.parallel ? ratio : (z.w - ratio * w.w) / depth.w;
+  return range.reversed ? glm::dvec2(0.5 + 0.5 * a, 0.5 * b) : glm::dvec2(0.5 + 0.5 * (a + b), -0.5 * b);
+}
+
 } // namespace shadow

@@ -40,4 +40,7 @@ struct DepthRange
 /// @par Source  Everitt & Kilgard 2002 (far plane at infinity); Lapidous & Jiao 1999 (reversed depth)
 glm::dmat4 shadowClipFromWC(const View& view, const DepthRange& range);
 
+/// VTK's window depth, 0 near and 1 far, as x + y times the depth that is stored with shadowClipFromWC().
+glm::dvec2 windowFromDepth(const View& view, const DepthRange& range);
+
 } // namespace shadow

@@ -12,6 +12,7 @@
 #include <vtkFollower.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
@@ -47,6 +48,23 @@ bool letsThrough(vtkActor* actor)
          shaders->GetNumberOfShaderReplacements() > 0;
 }
 
+/// Whether a prop that is no actor may be drawn with the opaque ones, into the depth buffer.
+bool mayBeOpaque(vtkProp* prop)
+{
+  return prop->IsA("vtkActor2D") == 0 && prop->IsA("vtkVolume") == 0 && prop->HasOpaqueGeometry() != 0;
+}
+
+/// Whether what VTK draws for an actor is not only its polygons.
+bool hasLinesOrPoints(vtkActor* actor, const std::vector<vtkPolyData*>& drawn)
+{
+  vtkProperty* property = actor->GetProperty();
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  // Of clipped data only polygons are handed out.
+  return property->GetVertexVisibility() != 0 || (planes != nullptr && planes->GetNumberOfItems() > 0) ||
+         std::any_of(drawn.begin(), drawn.end(), [](vtkPolyData* polyData)
+                     { return polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() > 0; });
+}
+
 /// Two roundings of single precision, for a coordinate as large as the mesh: what sin(2 pi) misses 0 by,
 /// times its radius, is less.
 double chooseWeldTolerance(vtkPolyData* polyData, const SceneBuilder::Settings& settings)
@@ -68,6 +86,7 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
   this->errors.clear();
   this->triangles = 0;
   this->seenThrough = false;
+  this->moreDrawn = false;
   this->propNumber = -1;
   root.clearChildren();
   // All props, not those that VTK's cullers left: a caster outside the view may shadow what is inside.
@@ -111,9 +130,12 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
       if (this->mirrored.count(actor) == 0)
       {
         this->mappersOfOthers.insert(actor->GetMapper());
+        this->moreDrawn = this->moreDrawn || actor->HasOpaqueGeometry() != 0;
       }
+      continue;
     }
-    else if (path.back()->IsA("vtkImageSlice") != 0 || path.back()->IsA("vtkLODProp3D") != 0)
+    this->moreDrawn = this->moreDrawn || mayBeOpaque(path.back());
+    if (path.back()->IsA("vtkImageSlice") != 0 || path.back()->IsA("vtkLODProp3D") != 0)
     {
       this->refuse(this->describe(path.back()), "it is no vtkActor", settings);
     }
@@ -193,6 +215,8 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     root.addChild(transform);
     this->mirrored.insert(actor);
     this->seenThrough = this->seenThrough || letsThrough(actor);
+    const auto unusable = std::count(placed.shown.begin(), placed.shown.end(), nullptr);
+    this->moreDrawn = this->moreDrawn || unusable > 0 || hasLinesOrPoints(actor, drawn);
   }
 }
 

@@ -51,6 +51,10 @@ public:
   /// the graph, so that their pixels have their own place in the mask.
   bool isMirrored(vtkProp* prop) const;
 
+  /// True when VTK may draw opaque things that are not in the graph: props that are not mirrored, and lines,
+  /// points and edges of those that are.
+  bool isMoreDrawn() const { return this->moreDrawn; }
+
   /// The actor of a transform that stands for it alone: one data set, drawn in one place. Else nullptr.
   vtkProp* findActor(const Node* transform) const;
 
@@ -109,6 +113,7 @@ private:
   std::vector<std::string> errors;
   std::size_t triangles = 0;
   bool seenThrough = false;
+  bool moreDrawn = false;
   int propNumber = -1; ///< of the prop that is being mirrored
 };
 

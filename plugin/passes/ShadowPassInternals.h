@@ -2,6 +2,7 @@
 #define ShadowPassInternals_h
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -86,6 +87,8 @@ public:
 
   shadow::ScenePasses Passes;
   shadow::PropExclusions NotCasting;
+
+  std::function<void()> AfterOpaque; ///< called once what is opaque has been drawn
 
   shadow::LightingHook Hook;
   vtkTimeStamp ShaderTime; ///< when the text put into VTK's shaders changed last

@@ -1,6 +1,27 @@
 #include "SilhouettePassInternals.h"
 
+#include <algorithm>
+
+#include <vtkProp.h>
+#include <vtkRenderState.h>
+
 #include "Stopwatch.h"
+
+namespace
+{
+
+bool hasTranslucency(const vtkRenderState* s)
+{
+  vtkProp** props = s->GetPropArray();
+  return std::any_of(props, props + s->GetPropArrayCount(),
+                     [](vtkProp* prop)
+                     {
+                       return prop->GetVisibility() != 0 &&
+                              (prop->HasTranslucentPolygonalGeometry() != 0 || prop->IsA("vtkVolume") != 0);
+                     });
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkSilhouettePass::vtkInternals::RendererState&
@@ -15,7 +36,8 @@ vtkSilhouettePass::vtkInternals::GetState(vtkOpenGLRenderer* renderer, vtkOpenGL
 
 //------------------------------------------------------------------------------
 void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, const vtkRenderState* s,
-                                                vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window)
+                                                vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window,
+                                                bool keepsDepth)
 {
   RendererState& state = this->GetState(renderer, window);
   this->Status = STATUS_OK;
@@ -50,6 +72,8 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, const v
   settings.border = self->BorderEdges;
   settings.crease = self->CreaseEdges;
   settings.featureAngle = self->FeatureAngle;
+  settings.behindWindow = state.Builder.isMoreDrawn() || renderer->GetPreserveDepthBuffer() != 0;
+  settings.keepsDepth = keepsDepth && hasTranslucency(s);
   settings.waitAfterStages = self->MeasureStages;
   shadow::OutlineEffect::Look look;
   look.color = {self->Color[0], self->Color[1], self->Color[2]};

@@ -41,8 +41,9 @@ public:
   RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
 
   /// Mirrors the scene and draws its lines over what is there.
+  /// @param keepsDepth  more will be drawn: what of it is behind a line is hidden by it
   void DrawLines(vtkSilhouettePass* self, const vtkRenderState* s, vtkOpenGLRenderer* renderer,
-                 vtkOpenGLRenderWindow* window);
+                 vtkOpenGLRenderWindow* window, bool keepsDepth);
 
   const shadow::OutlineEffect::Statistics& GetStatistics() const
   {

@@ -81,6 +81,10 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   {
     this->RenderPart(this->Internals->Passes.opaque, s);
   }
+  if (this->Internals->AfterOpaque)
+  {
+    this->Internals->AfterOpaque();
+  }
   if (complete)
   {
     this->RenderPart(this->Internals->Passes.translucent, s);

@@ -347,6 +347,7 @@ private:
   double WeldTolerance = 0.0;
   bool MeasureStages = false;
 
+  friend class vtkSilhouettePass; // its lines come between what is opaque and what is translucent
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -10,6 +10,7 @@
 #include <vtkRenderState.h>
 
 #include "PassScope.h"
+#include "ShadowPassInternals.h"
 #include "SilhouettePassInternals.h"
 
 vtkStandardNewMacro(vtkSilhouettePass);
@@ -133,19 +134,13 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
   internals.LedBack = false;
   const ScopedFlag busy(internals.Busy);
   const bool ownScene = !this->LinesOnly && internals.Delegate == nullptr;
-  const bool complete = ownScene && !shadow::othersDrawTheRest(renderer, this);
   if (ownScene)
   {
-    this->RenderScene(s, complete);
+    this->RenderScene(s, renderer, window);
   }
-  else if (!this->LinesOnly)
+  else
   {
-    this->RenderPart(internals.Delegate, s);
-  }
-  internals.DrawLines(this, s, renderer, window);
-  if (complete)
-  {
-    this->RenderPart(internals.Passes.overlay, s);
+    this->RenderDelegate(s, renderer, window);
   }
   if (internals.LedBack)
   {
@@ -159,18 +154,49 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-void vtkSilhouettePass::RenderScene(const vtkRenderState* s, bool complete)
+void vtkSilhouettePass::RenderScene(const vtkRenderState* s, vtkOpenGLRenderer* renderer,
+                                    vtkOpenGLRenderWindow* window)
 {
   shadow::ScenePasses& passes = this->Internals->Passes;
-  if (!complete)
+  const bool complete = !shadow::othersDrawTheRest(renderer, this);
+  if (complete)
   {
-    this->RenderPart(passes.opaque, s);
-    return;
+    this->RenderPart(passes.lights, s);
   }
-  this->RenderPart(passes.lights, s);
   this->RenderPart(passes.opaque, s);
-  this->RenderPart(passes.translucent, s);
-  this->RenderPart(passes.volumetric, s);
+  this->Internals->DrawLines(this, s, renderer, window, true);
+  if (complete)
+  {
+    this->RenderPart(passes.translucent, s);
+    this->RenderPart(passes.volumetric, s);
+    this->RenderPart(passes.overlay, s);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSilhouettePass::RenderDelegate(const vtkRenderState* s, vtkOpenGLRenderer* renderer,
+                                       vtkOpenGLRenderWindow* window)
+{
+  vtkRenderPass* delegate = this->LinesOnly ? nullptr : this->Internals->Delegate;
+  bool drawn = false;
+  if (auto* shadows = vtkShadowVolumePass::SafeDownCast(delegate))
+  {
+    shadows->Internals->AfterOpaque = [&]
+    {
+      this->Internals->DrawLines(this, s, renderer, window, true);
+      drawn = true;
+    };
+    this->RenderPart(shadows, s);
+    shadows->Internals->AfterOpaque = nullptr;
+  }
+  else if (delegate != nullptr)
+  {
+    this->RenderPart(delegate, s);
+  }
+  if (!drawn)
+  {
+    this->Internals->DrawLines(this, s, renderer, window, false);
+  }
 }
 
 //------------------------------------------------------------------------------

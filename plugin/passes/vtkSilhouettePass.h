@@ -7,7 +7,11 @@
  * triangle; and, if wanted, creases. What of an edge lies behind other surfaces is left out, or drawn
  * faintly.
  *
- * Opaque surface actors have lines and hide those of others; translucent ones have none and hide none.
+ * Opaque surface actors have lines and hide those of others. Translucent ones have none; where one is in front
+ * of a line, it tints it. All else that VTK has drawn into the window's depth, such as glyphs, images and the
+ * layers below one that preserves it, hides lines, pixel by pixel; what lies closer on a surface than lines
+ * and points that VTK brings nearer does not. With a delegate other than a vtkShadowVolumePass, lines lie over
+ * all that it draws later than opaque things.
  *
  * @par Use
  * - complete pass: `renderer->SetPass(outlines)`
@@ -24,7 +28,7 @@
  * 4. pass 2: a rectangle around each line, or, by TECHNIQUE_FACES, the triangles that own one, enlarged on
  * the screen until they cover it; the fragment stage keeps a capsule around each edge, of what is not behind
  * the depth of pass 1, and the nearest edge wins;
- * 5. the lines are blended over the scene.
+ * 5. the lines are blended over the opaque scene; where translucent things follow, they take their depth.
  *
  * @par Source
  * Valient, "Hardware Generated Object Silhouettes".
@@ -41,6 +45,8 @@
 #include <string> // for std::string
 
 class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLRenderer;
 class vtkProp;
 
 class VTKSHADOWPASSES_EXPORT vtkSilhouettePass : public vtkOpenGLRenderPass
@@ -53,7 +59,7 @@ public:
   ///@{
   /**
    * The pass that draws the scene below the lines, such as a vtkShadowVolumePass. nullptr (default): VTK's
-   * own lights, opaque, translucent, volumetric and overlay passes, with the lines below the overlay; opaque
+   * own lights, opaque, translucent, volumetric and overlay passes, with the lines after opaque; opaque
    * alone where the pass is used as opaque pass.
    */
   virtual void SetDelegatePass(vtkRenderPass* delegatePass);
@@ -269,7 +275,8 @@ private:
   void operator=(const vtkSilhouettePass&) = delete;
 
   void RenderPart(vtkRenderPass* pass, const vtkRenderState* s);
-  void RenderScene(const vtkRenderState* s, bool complete);
+  void RenderScene(const vtkRenderState* s, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
+  void RenderDelegate(const vtkRenderState* s, vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
 
   bool LinesOnly = false;
   double LineWidth = 2.0;

@@ -1,8 +1,26 @@
 // outlineCapsule.glsl - chunk: what of a pixel the line of one edge covers.
 // unif halfWidth  float  of a line, pixels
 // Source: Valient, "Hardware Generated Object Silhouettes", section 3.2
+// def  SHADOW_WINDOW_DEPTH  what the window shows in front of a line hides it, too
+// def  SHADOW_LINE_DEPTH    the depth of visible lines is wanted
 #include "outlines/outlineVisibility.glsl"
+#ifdef SHADOW_WINDOW_DEPTH
+#include "outlines/outlineWindow.glsl"
+#endif
 uniform float halfWidth;
+#ifdef SHADOW_LINE_DEPTH
+// Of the line that coverCapsule() has found visible: rises towards the eye, 0 at the farthest.
+float nearness = 0.0;
+
+void keepDepth(float depth)
+{
+  nearness = max(nearness, nearSign > 0.0 ? depth : 1.0 - depth);
+}
+#else
+void keepDepth(float depth)
+{
+}
+#endif
 
 // A point of an edge, by its distance from the first end.
 vec3 pointAt(vec4 endsDC, vec2 endsDepth, float place, float length)
@@ -32,8 +50,15 @@ vec4 coverCapsule(vec2 pixel, vec4 endsDC, vec2 endsDepth, vec2 outwards)
     return vec4(0.0);
   }
   vec2 whole = coverageAt(fromEdge);
+#ifdef SHADOW_WINDOW_DEPTH
+  if (isBehindWindow(pixel, nearest.z))
+  {
+    return vec4(0.0, whole.x, 0.0, whole.y);
+  }
+#endif
   if (isVisible(nearest, outwards))
   {
+    keepDepth(nearest.z);
     return vec4(whole.x, 0.0, whole.y, 0.0);
   }
   // The nearest point is hidden; one a little farther along the edge may not be.
@@ -52,6 +77,7 @@ vec4 coverCapsule(vec2 pixel, vec4 endsDC, vec2 endsDepth, vec2 outwards)
         if (found.x > visible.x && isVisible(point, outwards))
         {
           visible = found;
+          keepDepth(point.z);
         }
       }
     }

@@ -4,8 +4,10 @@
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
+#include "CallerFramebuffer.h"
 #include "OpenGL.h"
 #include "PixelTransferScope.h"
+#include "SEDGeometryDrawable.h"
 
 namespace shadow
 {
@@ -15,6 +17,7 @@ namespace
 
 constexpr int depthUnit = 0;
 constexpr int slopeUnit = 1;
+constexpr int windowUnit = SEDGeometryDrawable::firstFreeUnit + 1; // after what finds lines
 
 void bindTexture(vtkOpenGLState* state, int unit, unsigned int texture)
 {
@@ -23,12 +26,14 @@ void bindTexture(vtkOpenGLState* state, int unit, unsigned int texture)
 }
 
 // 0 when the GL refuses.
-unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture, unsigned int depthTexture)
+unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture, unsigned int depthTexture,
+                             unsigned int secondTexture = 0)
 {
   GLuint made = 0;
   glGenFramebuffers(1, &made);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, made);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colorTexture, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, secondTexture, 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depthTexture, 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
@@ -55,10 +60,10 @@ unsigned int OutlineTarget::makeTexture(int scale, unsigned int internalFormat, 
 }
 
 bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newDepthScale,
-                             std::string& error)
+                             bool keepsDepth, std::string& error)
 {
   if (this->depthFramebuffer != 0 && newWidth == this->width && newHeight == this->height &&
-      newDepthScale == this->depthScale)
+      newDepthScale == this->depthScale && keepsDepth == (this->nearnessTexture != 0))
   {
     return true;
   }
@@ -71,10 +76,11 @@ bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight,
   this->depthTexture = this->makeTexture(newDepthScale, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
   this->slopeTexture = this->makeTexture(newDepthScale, GL_RG16F, GL_RG, GL_FLOAT);
   this->lineTexture = this->makeTexture(1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+  this->nearnessTexture = keepsDepth ? this->makeTexture(1, GL_R32F, GL_RED, GL_FLOAT) : 0;
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
   glGenVertexArrays(1, &this->emptyVertexArray);
   this->depthFramebuffer = makeFramebuffer(state, this->slopeTexture, this->depthTexture);
-  this->lineFramebuffer = makeFramebuffer(state, this->lineTexture, 0);
+  this->lineFramebuffer = makeFramebuffer(state, this->lineTexture, 0, this->nearnessTexture);
   if (this->depthFramebuffer == 0 || this->lineFramebuffer == 0)
   {
     this->release();
@@ -111,16 +117,27 @@ void OutlineTarget::beginDepth(vtkOpenGLState* state, bool reversedDepth)
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program)
+void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program, unsigned int windowDepth)
 {
   this->setUp(state, this->lineFramebuffer, 1);
   const float nothing[4] = {0.0f, 0.0f, 0.0f, 0.0f};
   glClearBufferfv(GL_COLOR, 0, nothing);
+  if (this->nearnessTexture != 0)
+  {
+    const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(2, both);
+    glClearBufferfv(GL_COLOR, 1, nothing);
+  }
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_MAX);
   bindTexture(state, depthUnit, this->depthTexture);
   bindTexture(state, slopeUnit, this->slopeTexture);
+  if (windowDepth != 0)
+  {
+    bindTexture(state, windowUnit, windowDepth);
+    program->SetUniformi("windowDepths", windowUnit);
+  }
   program->SetUniformi("depths", depthUnit);
   program->SetUniformi("slopes", slopeUnit);
   program->SetUniformf("depthScale", static_cast<float>(this->depthScale));
@@ -130,21 +147,18 @@ void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program)
 void OutlineTarget::endLines(vtkOpenGLState* state)
 {
   glBindVertexArray(0);
+  bindTexture(state, windowUnit, 0);
   bindTexture(state, slopeUnit, 0);
   bindTexture(state, depthUnit, 0);
 }
 
-void OutlineTarget::blend(vtkOpenGLState* state, vtkShaderProgram* program, int margin)
+void OutlineTarget::drawOver(vtkOpenGLState* state, vtkShaderProgram* program, int margin) const
 {
   int viewport[4] = {0, 0, 0, 0};
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const int first[2] = {margin - viewport[0], margin - viewport[1]};
-  state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_STENCIL_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   bindTexture(state, depthUnit, this->lineTexture);
   program->SetUniformi("coverages", depthUnit);
@@ -154,6 +168,28 @@ void OutlineTarget::blend(vtkOpenGLState* state, vtkShaderProgram* program, int 
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
   bindTexture(state, depthUnit, 0);
+}
+
+void OutlineTarget::blend(vtkOpenGLState* state, vtkShaderProgram* program, int margin)
+{
+  const FirstDrawBufferScope drawBuffer;
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->drawOver(state, program, margin);
+}
+
+void OutlineTarget::blendDepth(vtkOpenGLState* state, vtkShaderProgram* program, int margin)
+{
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LESS);
+  bindTexture(state, slopeUnit, this->nearnessTexture);
+  program->SetUniformi("nearnesses", slopeUnit);
+  this->drawOver(state, program, margin);
+  bindTexture(state, slopeUnit, 0);
 }
 
 std::vector<unsigned char> OutlineTarget::readMask(vtkOpenGLRenderWindow* window, int margin) const
@@ -180,18 +216,20 @@ void OutlineTarget::release(bool contextLost)
     glDeleteTextures(1, &this->depthTexture);
     glDeleteTextures(1, &this->slopeTexture);
     glDeleteTextures(1, &this->lineTexture);
+    glDeleteTextures(1, &this->nearnessTexture);
     glDeleteVertexArrays(1, &this->emptyVertexArray);
   }
   this->depthFramebuffer = this->lineFramebuffer = this->emptyVertexArray = 0;
-  this->depthTexture = this->slopeTexture = this->lineTexture = 0;
+  this->depthTexture = this->slopeTexture = this->lineTexture = this->nearnessTexture = 0;
   this->width = this->height = 0;
 }
 
 std::size_t OutlineTarget::getMemorySize() const
 {
-  // 4 bytes lines; 4 bytes depth and 4 bytes slope
+  // 4 bytes lines, 4 their depth; 4 bytes depth and 4 bytes slope
   const std::size_t pixels = static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height);
-  return (4 + 8 * static_cast<std::size_t>(this->depthScale * this->depthScale)) * pixels;
+  const std::size_t lines = this->nearnessTexture != 0 ? 8 : 4;
+  return (lines + 8 * static_cast<std::size_t>(this->depthScale * this->depthScale)) * pixels;
 }
 
 } // namespace shadow

@@ -18,7 +18,8 @@ unsigned int LightTarget::getTextureTarget() const
 
 bool LightTarget::allocate(int newWidth, int newHeight, int newSamples)
 {
-  if (this->texture != 0 && newWidth == this->width && newHeight == this->height && newSamples == this->samples)
+  if (this->texture != 0 && newWidth == this->width && newHeight == this->height &&
+      newSamples == this->samples)
   {
     return true;
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkHardwareSelector.h>
+#include <vtkProperty.h>
 #include <vtkSelection.h>
 
 #include "GLInspection.h"
@@ -43,6 +44,10 @@ TEST(OutlinePass, GLState_AsFoundAfterEveryRendering)
     scene.outlines->LinesOnlyOn();
     scene.outlines->SetTechnique(technique);
     expectGLStateKept(scene.renderer, scene.outlines, "technique " + std::to_string(technique));
+    // With the window's depth looked up and written to.
+    scene.addMapper(scene.ballActor->GetMapper())->GetProperty()->SetRepresentationToWireframe();
+    scene.addMapper(scene.ballActor->GetMapper())->GetProperty()->SetOpacity(0.5);
+    expectGLStateKept(scene.renderer, scene.outlines, "more drawn, technique " + std::to_string(technique));
   }
 }
 

@@ -1,0 +1,45 @@
+// outlineWindow.glsl - chunk: is a pixel hidden by what VTK has drawn and pass 1 has not?
+// unif windowDepths     sampler2D  window depth, of the view without its margin
+// unif windowMargin     int        columns and rows by which the lines' target is wider, on each side
+// unif windowFromDepth  vec2       window depth = x + y * depth of pass 1
+#include "outlines/outlineVisibility.glsl"
+uniform sampler2D windowDepths;
+uniform int windowMargin;
+uniform vec2 windowFromDepth;
+
+// What VTK brings lines and points of a surface nearer by, so that they show: eight units of 1/65000, and the slope.
+const float windowTolerance = 1.25e-4;
+
+// The nearest that pass 1 is in a pixel and a little around it, as window depth; less the change of depth in a pixel.
+float nearestInPixel(ivec2 pixel)
+{
+  int scale = int(depthScale);
+  ivec2 last = textureSize(depths, 0) - 1;
+  float nearest = windowFromDepth.x + windowFromDepth.y * (nearSign > 0.0 ? 0.0 : 1.0);
+  for (int row = -1; row <= scale; ++row)
+  {
+    for (int column = -1; column <= scale; ++column)
+    {
+      ivec2 texel = clamp(scale * pixel + ivec2(column, row), ivec2(0), last);
+      float depth = texelFetch(depths, texel, 0).x;
+      vec2 slope = abs(depth * texelFetch(slopes, texel, 0).xy);
+      nearest = min(nearest, windowFromDepth.x + windowFromDepth.y * depth -
+                                 abs(windowFromDepth.y) * depthScale * (slope.x + slope.y));
+    }
+  }
+  return nearest;
+}
+
+// pixelDC  of the lines' target
+// depth    of the line, as in pass 1
+bool isBehindWindow(vec2 pixelDC, float depth)
+{
+  ivec2 pixel = ivec2(pixelDC);
+  ivec2 ofWindow = pixel - windowMargin;
+  if (any(lessThan(ofWindow, ivec2(0))) || any(greaterThanEqual(ofWindow, textureSize(windowDepths, 0))))
+  {
+    return false;
+  }
+  float shown = texelFetch(windowDepths, ofWindow, 0).x + windowTolerance;
+  return shown < windowFromDepth.x + windowFromDepth.y * depth && shown < nearestInPixel(pixel);
+}
