@@ -115,11 +115,6 @@ void LightingHook::begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, cons
   state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->depthUnit));
   glBindTexture(this->textureTarget, target.getDepthTexture());
 
-  int viewport[4] = {0, 0, 0, 0};
-  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  this->origin[0] = viewport[0];
-  this->origin[1] = viewport[1];
-
   const DepthRange& depth = effect.getDepthRange();
   this->reversed = depth.reversed;
   if (view.parallel)
@@ -154,7 +149,7 @@ void LightingHook::end(vtkOpenGLState* state)
   }
 }
 
-void LightingHook::setUniforms(vtkShaderProgram* program) const
+void LightingHook::setUniforms(vtkOpenGLState* state, vtkShaderProgram* program) const
 {
   if (program->IsUniformUsed("shadowPass"))
   {
@@ -169,7 +164,10 @@ void LightingHook::setUniforms(vtkShaderProgram* program) const
               values.begin());
   program->SetUniform1fv("shadowStrength", maximumLights, values.data());
   program->SetUniformi("shadowMask", this->maskUnit);
-  program->SetUniform2i("shadowOrigin", this->origin);
+  // That of the moment: ambient occlusion draws into a framebuffer of its own, where the view begins at 0, 0.
+  int viewport[4] = {0, 0, 0, 0};
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  program->SetUniform2i("shadowOrigin", viewport);
   if (program->IsUniformUsed("shadowDepth"))
   {
     program->SetUniformi("shadowDepth", this->depthUnit);

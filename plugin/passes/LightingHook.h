@@ -36,7 +36,7 @@ public:
   void end(vtkOpenGLState* state);
 
   /// Hands the uniforms to a program.
-  void setUniforms(vtkShaderProgram* program) const;
+  void setUniforms(vtkOpenGLState* state, vtkShaderProgram* program) const;
 
   std::vector<float> strength; ///< a light that is switched on: 0 no shadow, 1 all of its light
   int pass = AllLights;        ///< which light the coming pass draws
@@ -46,7 +46,6 @@ private:
   int maskUnit = -1;
   int depthUnit = -1;
   unsigned int textureTarget = 0;
-  int origin[2] = {0, 0};
   float range[4] = {0.0f, 0.0f, 0.0f, 0.0f};
   bool reversed = true;
 };

@@ -7,7 +7,6 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include <vtkHardwareSelector.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLCamera.h>
@@ -75,37 +74,6 @@ std::set<vtkProp*> drawnProps(const vtkRenderState* s)
 {
   vtkProp** props = s->GetPropArray();
   return {props, props + s->GetPropArrayCount()};
-}
-
-bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
-                                int& rendered)
-{
-  if (renderer->GetPass() == pass && !this->insideCameraPass)
-  {
-    this->insideCameraPass = true;
-    this->camera->SetDelegatePass(pass);
-    this->camera->Render(s);
-    this->camera->SetDelegatePass(nullptr);
-    this->insideCameraPass = false;
-    return true;
-  }
-  if (vtkHardwareSelector* selector = renderer->GetSelector())
-  {
-    rendered = selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
-    return true;
-  }
-  return false;
-}
-
-void ScenePasses::ReleaseGraphicsResources(vtkWindow* window)
-{
-  for (vtkRenderPass* pass :
-       {static_cast<vtkRenderPass*>(this->lights), static_cast<vtkRenderPass*>(this->opaque),
-        static_cast<vtkRenderPass*>(this->translucent), static_cast<vtkRenderPass*>(this->volumetric),
-        static_cast<vtkRenderPass*>(this->overlay)})
-  {
-    pass->ReleaseGraphicsResources(window);
-  }
 }
 
 void PropExclusions::set(vtkProp* prop, bool excluded)

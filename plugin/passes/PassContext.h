@@ -9,22 +9,15 @@
 #include <set>
 #include <string>
 
-#include <vtkCameraPass.h>
-#include <vtkLightsPass.h>
 #include <vtkNew.h>
-#include <vtkOpaquePass.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
-#include <vtkOverlayPass.h>
 #include <vtkTextureObject.h>
-#include <vtkTranslucentPass.h>
-#include <vtkVolumetricPass.h>
 #include <vtkWeakPointer.h>
 
 #include "View.h"
 
 class vtkProp;
-class vtkRenderPass;
 class vtkRenderState;
 class vtkWindow;
 
@@ -152,29 +145,6 @@ std::string findFault(const View& view);
 
 /// The props that VTK draws with a state: those that its cullers have left.
 std::set<vtkProp*> drawnProps(const vtkRenderState* s);
-
-/// What VTK draws a scene with, one pass for each part.
-struct ScenePasses
-{
-  vtkNew<vtkCameraPass> camera;
-  vtkNew<vtkLightsPass> lights;
-  vtkNew<vtkOpaquePass> opaque;
-  vtkNew<vtkTranslucentPass> translucent;
-  vtkNew<vtkVolumetricPass> volumetric;
-  vtkNew<vtkOverlayPass> overlay;
-
-  /// Does what comes before a pass draws the scene: for a renderer's own pass has the camera pass set
-  /// viewport and background and call back, and leaves picking to the selector, which draws all props itself.
-  /// @param rendered  props that were drawn
-  /// @return true when nothing is left to do
-  bool renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
-                     int& rendered);
-
-  void ReleaseGraphicsResources(vtkWindow* window);
-
-private:
-  bool insideCameraPass = false;
-};
 
 /// Props that something has been switched off for. They are not kept alive.
 class PropExclusions

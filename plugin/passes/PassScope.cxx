@@ -25,65 +25,101 @@ bool drawsTheRest(vtkRenderPass* pass)
          pass->IsA("vtkDualDepthPeelingPass") != 0;
 }
 
-// True when @p pass is found below @p tree with others beside it that draw the rest.
-// @param visited  where the search has been: passes that users connect may go round in circles
-bool search(vtkRenderPass* tree, vtkRenderPass* pass, bool othersBeside, std::set<vtkRenderPass*>& visited)
+/// Where a pass stands in a tree of passes.
+struct Place
 {
-  if (tree == nullptr || !visited.insert(tree).second)
+  bool found = false;
+  bool othersBeside = false; ///< others beside it, or beside a pass above it, draw what is not opaque
+  bool camera = false;       ///< a pass above it sets viewport and background
+};
+
+class PassSearch
+{
+public:
+  explicit PassSearch(vtkRenderPass* thePass) : pass(thePass) {}
+
+  /// Looks for the pass in a tree, whose root has @p place but for Place::found.
+  Place find(vtkRenderPass* tree, Place place)
   {
-    return false;
-  }
-  if (tree == pass)
-  {
-    return othersBeside;
-  }
-  if (auto* steps = vtkRenderStepsPass::SafeDownCast(tree))
-  {
-    return search(steps->GetOpaquePass(), pass, true, visited) ||
-           search(steps->GetPostProcessPass(), pass, othersBeside, visited);
-  }
-  if (auto* sequence = vtkSequencePass::SafeDownCast(tree))
-  {
-    vtkRenderPassCollection* passes = sequence->GetPasses();
-    bool beside = othersBeside;
-    for (int i = 0; passes != nullptr && i < passes->GetNumberOfItems(); ++i)
+    if (tree == nullptr || !this->visited.insert(tree).second)
     {
-      beside = beside || drawsTheRest(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)));
+      return {};
     }
-    for (int i = 0; passes != nullptr && i < passes->GetNumberOfItems(); ++i)
+    if (tree == this->pass)
     {
-      if (search(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), pass, beside, visited))
+      place.found = true;
+      return place;
+    }
+    if (auto* steps = vtkRenderStepsPass::SafeDownCast(tree))
+    {
+      place.camera = place.camera || steps->GetCameraPass() != nullptr;
+      Place below = place;
+      below.othersBeside = true;
+      const Place opaque = this->find(steps->GetOpaquePass(), below);
+      return opaque.found ? opaque : this->find(steps->GetPostProcessPass(), place);
+    }
+    if (auto* sequence = vtkSequencePass::SafeDownCast(tree))
+    {
+      return this->findIn(sequence->GetPasses(), place);
+    }
+    place.camera =
+        place.camera || tree->IsA("vtkCameraPass") != 0 || tree->IsA("vtkSilhouettePass") != 0;
+    return this->find(delegateOf(tree), place);
+  }
+
+private:
+  Place findIn(vtkRenderPassCollection* passes, Place place)
+  {
+    const int count = passes != nullptr ? passes->GetNumberOfItems() : 0;
+    for (int i = 0; i < count; ++i)
+    {
+      place.othersBeside =
+          place.othersBeside || drawsTheRest(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)));
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      const Place found = this->find(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), place);
+      if (found.found)
       {
-        return true;
+        return found;
       }
     }
-    return false;
+    return {};
   }
-  if (auto* camera = vtkCameraPass::SafeDownCast(tree))
+
+  static vtkRenderPass* delegateOf(vtkRenderPass* above)
   {
-    return search(camera->GetDelegatePass(), pass, othersBeside, visited);
+    if (auto* camera = vtkCameraPass::SafeDownCast(above))
+    {
+      return camera->GetDelegatePass();
+    }
+    if (auto* supersampling = vtkSSAAPass::SafeDownCast(above))
+    {
+      return supersampling->GetDelegatePass();
+    }
+    if (auto* outlines = vtkSilhouettePass::SafeDownCast(above))
+    {
+      return outlines->GetDelegatePass();
+    }
+    auto* image = vtkImageProcessingPass::SafeDownCast(above);
+    return image != nullptr ? image->GetDelegatePass() : nullptr;
   }
-  if (auto* supersampling = vtkSSAAPass::SafeDownCast(tree))
-  {
-    return search(supersampling->GetDelegatePass(), pass, othersBeside, visited);
-  }
-  if (auto* outlines = vtkSilhouettePass::SafeDownCast(tree))
-  {
-    return search(outlines->GetDelegatePass(), pass, othersBeside, visited);
-  }
-  if (auto* image = vtkImageProcessingPass::SafeDownCast(tree))
-  {
-    return search(image->GetDelegatePass(), pass, othersBeside, visited);
-  }
-  return false;
-}
+
+  vtkRenderPass* pass;
+  std::set<vtkRenderPass*> visited; ///< passes that users connect may go round in circles
+};
 
 } // namespace
 
 bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass)
 {
-  std::set<vtkRenderPass*> visited;
-  return search(renderer->GetPass(), pass, false, visited);
+  return PassSearch(pass).find(renderer->GetPass(), {}).othersBeside;
+}
+
+bool needsCamera(vtkRenderer* renderer, vtkRenderPass* pass)
+{
+  const Place place = PassSearch(pass).find(renderer->GetPass(), {});
+  return place.found && !place.othersBeside && !place.camera;
 }
 
 bool hasNoPixels(vtkRenderer* renderer)

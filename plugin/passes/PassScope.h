@@ -12,6 +12,10 @@ namespace shadow
 /// passes.
 bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass);
 
+/// Whether a pass that draws a complete scene has to set viewport and background itself: it stands below others
+/// of VTK's of which none does.
+bool needsCamera(vtkRenderer* renderer, vtkRenderPass* pass);
+
 /// True for a viewport without width or height, of which VTK draws nothing.
 bool hasNoPixels(vtkRenderer* renderer);
 

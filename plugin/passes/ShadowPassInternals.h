@@ -16,6 +16,7 @@
 #include "LightingHook.h"
 #include "PassContext.h"
 #include "SceneBuilder.h"
+#include "ScenePasses.h"
 #include "ShadowVolumeEffect.h"
 #include "View.h"
 #include "vtkShadowVolumePass.h"
@@ -70,11 +71,12 @@ public:
   /// Has the GL leave out triangles of a prop that is about to be drawn, if no pixel shows them.
   void SetHiddenSide(vtkProp* prop);
 
-  /// Makes ready for adding lights one by one. @return false, with a message, when the GL cannot
-  bool BeginLights();
+  /// Makes ready for adding lights one by one, to what @p opaque has drawn.
+  /// @return false, with a message, when that cannot be
+  bool BeginLights(const vtkRenderPass* opaque);
 
   /// Draws what each light adds to the picture of AmbientOnly, and adds it.
-  void AddLights(const vtkRenderState* s);
+  void AddLights(const vtkRenderState* s, vtkRenderPass* opaque);
 
   /// Has a prop that is about to be drawn show where it does in the picture: of surfaces that coincide one.
   /// Does nothing but in a lighting pass.

@@ -9,10 +9,11 @@
 #include "OpenGL.h"
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumePass::vtkInternals::BeginLights()
+bool vtkShadowVolumePass::vtkInternals::BeginLights(const vtkRenderPass* opaque)
 {
-  std::string error;
-  const bool ready = this->Current->Lights.begin(this->Current->Context.getWindow()->GetState(), error);
+  std::string error = "lights cannot be added one by one under ambient occlusion or hidden line removal";
+  const bool ready = this->Passes.isPlain(opaque) &&
+                     this->Current->Lights.begin(this->Current->Context.getWindow()->GetState(), error);
   if (!ready)
   {
     this->AddNote(error + "; they are drawn in one pass instead");
@@ -21,7 +22,7 @@ bool vtkShadowVolumePass::vtkInternals::BeginLights()
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumePass::vtkInternals::AddLights(const vtkRenderState* s)
+void vtkShadowVolumePass::vtkInternals::AddLights(const vtkRenderState* s, vtkRenderPass* opaque)
 {
   shadow::LightTarget& target = this->Current->Lights;
   vtkOpenGLRenderWindow* window = this->Current->Context.getWindow();
@@ -52,7 +53,7 @@ void vtkShadowVolumePass::vtkInternals::AddLights(const vtkRenderState* s)
       one.SetFrameBuffer(s->GetFrameBuffer());
       one.SetRequiredKeys(s->GetRequiredKeys());
       this->BlendLight(false);
-      this->Passes.opaque->Render(&one);
+      opaque->Render(&one);
     }
     if (!target.addLight(window, clipControl))
     {

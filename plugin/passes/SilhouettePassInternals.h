@@ -11,6 +11,7 @@
 #include "OutlineEffect.h"
 #include "PassContext.h"
 #include "SceneBuilder.h"
+#include "ScenePasses.h"
 #include "vtkSilhouettePass.h"
 
 /// What vtkSilhouettePass keeps out of its header.

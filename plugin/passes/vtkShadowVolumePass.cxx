@@ -68,18 +68,20 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
 
   const bool complete = this->Scope == SCOPE_COMPLETE ||
                         (this->Scope == SCOPE_AUTO && !shadow::othersDrawTheRest(renderer, this));
+  shadow::ScenePasses& passes = this->Internals->Passes;
   if (complete)
   {
-    this->RenderPart(this->Internals->Passes.lights, s);
+    this->NumberOfRenderedProps += passes.drawLights(s);
   }
   const bool shadowed = this->Internals->PrepareMask(this, s, renderer, window);
+  vtkRenderPass* opaque = passes.chooseOpaque(s, complete);
   if (shadowed)
   {
-    this->RenderShadowed(s);
+    this->RenderShadowed(s, opaque);
   }
   else
   {
-    this->RenderPart(this->Internals->Passes.opaque, s);
+    this->RenderPart(opaque, s);
   }
   if (this->Internals->AfterOpaque)
   {
@@ -87,9 +89,7 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   }
   if (complete)
   {
-    this->RenderPart(this->Internals->Passes.translucent, s);
-    this->RenderPart(this->Internals->Passes.volumetric, s);
-    this->RenderPart(this->Internals->Passes.overlay, s);
+    this->NumberOfRenderedProps += passes.drawRest(s);
   }
   if (this->Internals->Current->Messages.isNews(this->Internals->Message))
   {
@@ -105,7 +105,7 @@ void vtkShadowVolumePass::RenderPart(vtkRenderPass* pass, const vtkRenderState* 
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
+void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s, vtkRenderPass* opaque)
 {
   vtkInternals& internals = *this->Internals;
   shadow::LightingHook& hook = internals.Hook;
@@ -116,16 +116,16 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s)
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   hook.begin(state, *internals.Current->Effect, internals.Current->View);
   this->PreRender(s);
-  if (this->Compositing == COMPOSITING_MASK || !internals.BeginLights())
+  if (this->Compositing == COMPOSITING_MASK || !internals.BeginLights(opaque))
   {
     hook.pass = shadow::LightingHook::AllLights;
-    this->RenderPart(internals.Passes.opaque, s);
+    this->RenderPart(opaque, s);
   }
   else
   {
     hook.pass = shadow::LightingHook::AmbientOnly;
-    this->RenderPart(internals.Passes.opaque, s);
-    internals.AddLights(s);
+    this->RenderPart(opaque, s);
+    internals.AddLights(s, opaque);
   }
   this->PostRender(s);
   hook.end(state);
@@ -160,7 +160,7 @@ bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std
 bool vtkShadowVolumePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
                                               vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
 {
-  this->Internals->Hook.setUniforms(program);
+  this->Internals->Hook.setUniforms(this->Internals->Current->Context.getWindow()->GetState(), program);
   this->Internals->SetHiddenSide(prop);
   this->Internals->BlendLight(true);
   return this->Superclass::SetShaderParameters(program, mapper, prop, VAO);

@@ -334,7 +334,7 @@ private:
   void operator=(const vtkShadowVolumePass&) = delete;
 
   void RenderPart(vtkRenderPass* pass, const vtkRenderState* s);
-  void RenderShadowed(const vtkRenderState* s);
+  void RenderShadowed(const vtkRenderState* s, vtkRenderPass* opaque);
 
   int StencilMethod = STENCIL_AUTO;
   int CountBuffer = COUNT_AUTO;

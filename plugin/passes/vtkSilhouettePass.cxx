@@ -161,15 +161,13 @@ void vtkSilhouettePass::RenderScene(const vtkRenderState* s, vtkOpenGLRenderer* 
   const bool complete = !shadow::othersDrawTheRest(renderer, this);
   if (complete)
   {
-    this->RenderPart(passes.lights, s);
+    this->NumberOfRenderedProps += passes.drawLights(s);
   }
-  this->RenderPart(passes.opaque, s);
+  this->RenderPart(passes.chooseOpaque(s, complete), s);
   this->Internals->DrawLines(this, s, renderer, window, true);
   if (complete)
   {
-    this->RenderPart(passes.translucent, s);
-    this->RenderPart(passes.volumetric, s);
-    this->RenderPart(passes.overlay, s);
+    this->NumberOfRenderedProps += passes.drawRest(s);
   }
 }
 

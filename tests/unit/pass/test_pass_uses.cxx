@@ -85,15 +85,6 @@ void addOverlay(BallScene& scene)
   scene.renderer->AddActor2D(text);
 }
 
-void addEverything(BallScene& scene)
-{
-  addTranslucentBall(scene, 1.2);
-  addTranslucentBall(scene, 0.6);
-  vtkNew<vtkSmartVolumeMapper> mapper;
-  addVolume(scene, mapper);
-  addOverlay(scene);
-}
-
 /// The picture of VTK's passes without shadows.
 Pixels plainPicture(BallScene& scene)
 {
@@ -101,15 +92,19 @@ Pixels plainPicture(BallScene& scene)
   return scene.renderPicture();
 }
 
-/// What the pass makes of a scene whose shadows take nothing away has to be what VTK makes of it.
+/// What the pass makes of a scene whose shadows take nothing away has to be what VTK makes of it: without a pass,
+/// or with a vtkRenderStepsPass, which blends translucent actors in the order in which they come.
 void expectDrawnAsWithoutShadows(BallScene& scene)
 {
   scene.pass->SetShadowIntensity(0.0);
-  const Pixels plain = plainPicture(scene);
+  const Pixels bySteps = plainPicture(scene);
+  scene.renderer->SetPass(nullptr);
+  const Pixels byRenderer = scene.renderPicture();
   for (const Use use : allUses)
   {
     attach(scene.renderer, scene.pass, use);
-    EXPECT_EQ(countDifferent(scene.renderPicture(), plain, 1), 0u) << toString(use);
+    const Pixels& plain = use == Use::OpaqueOfSteps ? bySteps : byRenderer;
+    EXPECT_EQ(countDifferent(scene.renderPicture(), plain), 0u) << toString(use);
   }
 }
 
@@ -155,10 +150,12 @@ TEST(PassUse, BallOverTable_ThreeUses_SamePictureAndMask)
   }
 }
 
-TEST(PassUse, TranslucentVolumeAndOverlay_ThreeUses_SamePicture)
+TEST(PassUse, VolumeAndOverlay_ThreeUses_SamePicture)
 {
   BallScene scene;
-  addEverything(scene);
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  addVolume(scene, mapper);
+  addOverlay(scene);
   const Pixels picture = scene.renderPicture();
   for (const Use use : allUses)
   {
