@@ -30,6 +30,13 @@ struct RendererAccess : vtkOpenGLRenderer
     return filter;
   }
 
+  /// Has the renderer's selector draw what can be picked. @pre there is a selector
+  /// @return props that were drawn
+  static int select(vtkOpenGLRenderer* renderer, const vtkRenderState* s)
+  {
+    return (renderer->*(&RendererAccess::UpdateGeometry))(s->GetFrameBuffer());
+  }
+
 private:
   // An array up to VTK 9.5, then a vector.
   static vtkProp** first(vtkProp** props) { return props; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <vtkCamera.h>
-#include <vtkHardwareSelector.h>
 #include <vtkHiddenLineRemovalPass.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -90,9 +89,9 @@ bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer
   {
     return true;
   }
-  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  if (renderer->GetSelector() != nullptr)
   {
-    rendered = selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
+    rendered = RendererAccess::select(renderer, s);
     return true;
   }
   return false;

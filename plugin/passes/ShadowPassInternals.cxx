@@ -8,6 +8,13 @@
 #include "ShadowVolumeGPUEffect.h"
 #include "Stopwatch.h"
 
+namespace
+{
+
+constexpr int mostSamples = 32; ///< a pixel of the mask
+
+} // namespace
+
 //------------------------------------------------------------------------------
 vtkShadowVolumePass::vtkInternals::RendererState::~RendererState()
 {
@@ -161,11 +168,16 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
   settings.countBuffer = static_cast<shadow::CountBuffer>(self->CountBuffer);
   settings.coplanarTolerance = self->CoplanarTolerance;
   settings.samples = self->Samples;
+  if (settings.samples == 0)
+  {
+    glGetIntegerv(GL_SAMPLES, &settings.samples);
+    settings.samples = std::clamp(settings.samples, 1, mostSamples);
+  }
   settings.waitAfterStages = self->MeasureStages;
   while (true)
   {
     std::string note;
-    settings.silhouetteMethod = state.ChooseMethod(self->SilhouetteMethod, self->Samples, note);
+    settings.silhouetteMethod = state.ChooseMethod(self->SilhouetteMethod, settings.samples, note);
     const shadow::Stopwatch scene;
     state.ChooseEffect(settings.silhouetteMethod);
     this->UpdateScene(self, state);
@@ -177,6 +189,11 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
       this->UsedMethod = static_cast<int>(settings.silhouetteMethod);
       this->AddNote(note);
       return true;
+    }
+    if (self->Samples == 0 && settings.samples > 1)
+    {
+      settings.samples = 1;
+      continue;
     }
     if (!shadow::isOnGPU(settings.silhouetteMethod))
     {

@@ -174,10 +174,12 @@ public:
 
   ///@{
   /**
-   * Samples a pixel of the shadow mask, for smooth shadow edges: 1 (default), 2, 4, 8, ... A number that the
-   * GL cannot do is lowered to one it can.
+   * Samples a pixel of the shadow mask, for smooth shadow edges: 1, 2, 4, 8, ..., or 0 (default): as many as
+   * what is drawn into has, so that shadows are as smooth as the window's edges. A number that the GL cannot
+   * do is lowered to one it can. With fewer samples than the window has, a pixel that shows two surfaces
+   * takes the shadow of one for both.
    */
-  vtkSetClampMacro(Samples, int, 1, 32);
+  vtkSetClampMacro(Samples, int, 0, 32);
   vtkGetMacro(Samples, int);
   ///@}
 
@@ -342,7 +344,7 @@ private:
   double CoplanarTolerance = 0.0;
   int Compositing = COMPOSITING_MASK;
   int Scope = SCOPE_AUTO;
-  int Samples = 1;
+  int Samples = 0;
   double ShadowIntensity = 1.0;
   double WeldTolerance = 0.0;
   bool MeasureStages = false;

@@ -171,6 +171,39 @@ TEST(PassSamples, Four_ShadowEdgesAreSmooth)
   EXPECT_GT(countDifferent(picture, scene.renderPicture(), 10), 50u);
 }
 
+TEST(PassSamples, Default_AsManyAsTheWindowHas)
+{
+  BallScene scene;
+  EXPECT_EQ(scene.pass->GetSamples(), 0);
+  const Pixels hard = scene.renderMask();
+  EXPECT_EQ(std::set<unsigned char>(hard.begin(), hard.end()).size(), 2u);
+  scene.window->SetMultiSamples(4);
+  const Pixels smooth = scene.renderMask();
+  EXPECT_GE(std::set<unsigned char>(smooth.begin(), smooth.end()).size(), 4u);
+  scene.pass->SetSamples(1);
+  EXPECT_EQ(scene.renderMask(), hard);
+}
+
+// Every pixel at the ball's edge is part ball, part table. The averted side of the ball is dark in the mask, the
+// table is not.
+TEST(PassSamples, MixedPixel_EachSurfaceTakesItsOwnShadow)
+{
+  BallScene scene;
+  scene.window->SetMultiSamples(4);
+  scene.pass->SetCasting(scene.ballActor, false);
+  scene.pass->SetCasting(scene.table, false);
+  scene.lamp->SetPosition(0.0, 3.0, 6.0);
+  scene.ballActor->GetProperty()->SetSpecular(0.4);
+  for (const bool aside : {false, true})
+  {
+    scene.lamp->SetPosition(aside ? -4.0 : 0.0, aside ? 0.5 : 3.0, aside ? -1.0 : 6.0);
+    const Pixels picture = scene.renderPicture();
+    scene.renderer->SetPass(nullptr);
+    EXPECT_EQ(countDifferent(picture, scene.renderPicture()), 0u) << aside;
+    scene.renderer->SetPass(scene.pass);
+  }
+}
+
 TEST(PassSamples, Four_AwayFromShadowEdgesAsOne)
 {
   BallScene scene;
