@@ -152,6 +152,16 @@ Pictures draw(const Row& row, const Way* way, bool flat)
   return pictures;
 }
 
+Picture drawAfter(const Row& row, Way way)
+{
+  DropInScene scene;
+  prepare(scene, row, &way);
+  scene.window->Render();
+  scene.renderer->SetPass(nullptr);
+  scene.window->Render();
+  return read(scene.window);
+}
+
 int countLights(const Row& row)
 {
   DropInScene scene;

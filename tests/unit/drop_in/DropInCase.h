@@ -59,6 +59,9 @@ using Pictures = std::array<Picture, 2>;
 /// casters as well, where VTK may light it by normals that were smoothed.
 Pictures draw(const Row& row, const Way* way, bool flat = false);
 
+/// The second picture of a row's scene when the first was drawn with a pass, which was taken off.
+Picture drawAfter(const Row& row, Way way);
+
 /// How many of the lights of a row's scene are switched on; 1 where none is, as VTK then makes one.
 int countLights(const Row& row);
 

@@ -1,6 +1,7 @@
 #include <vtkActor2D.h>
 #include <vtkAxesActor.h>
 #include <vtkBillboardTextActor3D.h>
+#include <vtkBoxRepresentation.h>
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -184,6 +185,17 @@ void addMarker(DropInScene& scene)
   scene.kept = {interactor, widget};
 }
 
+void addHandles(DropInScene& scene)
+{
+  vtkNew<vtkBoxRepresentation> handles;
+  double bounds[6] = {0.6, 1.4, 0.1, 0.9, 0.2, 1.0};
+  handles->SetPlaceFactor(1.0);
+  handles->PlaceWidget(bounds);
+  handles->SetRenderer(scene.renderer);
+  handles->HandlesOn();
+  scene.renderer->AddViewProp(handles);
+}
+
 } // namespace
 
 std::vector<Row> overlayRows()
@@ -202,6 +214,7 @@ std::vector<Row> overlayRows()
       {"xy_plot", addPlot},
       {"chart", addChart},
       {"orientation_marker", addMarker},
+      {"box_with_handles", addHandles},
   };
 }
 

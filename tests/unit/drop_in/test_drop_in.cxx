@@ -99,6 +99,21 @@ TEST_P(DropIn, NoCasters_FlatSurfaces_PictureIsVTKs)
   }
 }
 
+class DropInTakenOff : public testing::TestWithParam<Row>
+{
+};
+
+// A pass leaves nothing behind.
+TEST_P(DropInTakenOff, AnyWay_PictureIsVTKs)
+{
+  const Picture plain = draw(GetParam(), nullptr)[1];
+  for (const Way way : {Additive, LinesOffOverMask})
+  {
+    const Difference difference = compare(plain, drawAfter(GetParam(), way));
+    EXPECT_TRUE(difference.none()) << toString(way) << ": " << difference;
+  }
+}
+
 class DropInSelection : public testing::TestWithParam<Row>
 {
 };
@@ -144,6 +159,9 @@ TEST(DropInTable, Names_AreOfOneRowEach)
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, DropIn, testing::ValuesIn(allRows()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Table, DropInTakenOff,
+                         testing::ValuesIn(concatenate({surfaceRows(), translucentRows(), propRows()})),
+                         nameOf);
 INSTANTIATE_TEST_SUITE_P(Table, DropInSelection, testing::ValuesIn(concatenate({sceneRows(), treeRows()})),
                          nameOf);
 
