@@ -6,6 +6,7 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkCubeSource.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
@@ -20,6 +21,8 @@ namespace shadow::test
 DropInScene::DropInScene() : BallScene(160, 120)
 {
   this->renderer->SetPass(nullptr);
+  // This is of all mappers, and a row may have set it.
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
 }
 
 vtkActor* addBox(DropInScene& scene, double x, double z, double size)

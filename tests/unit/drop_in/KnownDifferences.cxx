@@ -4,8 +4,8 @@ namespace shadow::test
 {
 
 // ROWS THAT ARE SWITCHED OFF, by what breaks the law there. Whoever mends it takes the rows from here; the
-// tests hold them to the law from then on. `test_drop_in --gtest_also_run_disabled_tests` tests them all the
-// same, and tells how many pixels differ.
+// tests hold them to the law from then on. With SHADOW_TEST_SWITCHED_OFF in the environment they are tested
+// all the same, and tell how many pixels differ.
 const std::vector<KnownDifference>& knownDifferences()
 {
   constexpr unsigned drawn = everyWay & ~Selecting;
