@@ -204,7 +204,7 @@ std::vector<Row> settingRows()
              {
                for (int i = 0; i < 34; ++i)
                {
-                 scene.addDirectionalLight(0.05 * i - 0.8, -1.0, -0.3)->SetIntensity(0.04);
+                 scene.addDirectionalLight(0.05 * i - 0.8, -1.0, -0.3)->SetIntensity(0.02);
                }
              }),
       {"light_follows_camera_off", [](R scene) { scene.renderer->LightFollowCameraOff(); }},
