@@ -40,6 +40,8 @@ if(VTKSHADOW_HEADLESS)
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
+  include(drop_in.cmake)
+
   add_executable(test_outline_pass
     outlines/OutlineCase.cxx
     outlines/RefusingGL.cxx

@@ -1,0 +1,25 @@
+# Scenes that must look the same with our passes as without, where these have nothing to add. Included by
+# pass.cmake.
+find_package(VTK 9.1 REQUIRED COMPONENTS ChartsCore InteractionWidgets RenderingContextOpenGL2 RenderingFreeType
+  RenderingLabel RenderingLOD)
+add_executable(test_drop_in
+  drop_in/DropInCase.cxx
+  drop_in/DropInScene.cxx
+  drop_in/KnownDifferences.cxx
+  drop_in/OverlayRows.cxx
+  drop_in/PassRows.cxx
+  drop_in/PropRows.cxx
+  drop_in/SettingRows.cxx
+  drop_in/SurfaceRows.cxx
+  drop_in/TranslucentRows.cxx
+  drop_in/WindowRows.cxx
+  drop_in/test_drop_in.cxx)
+target_link_libraries(test_drop_in PRIVATE
+  shadow_ball_scene GTest::gtest_main shadow_warnings
+  VTK::ChartsCore VTK::FiltersCore VTK::FiltersSources VTK::InteractionStyle VTK::InteractionWidgets
+  VTK::RenderingAnnotation VTK::RenderingContextOpenGL2 VTK::RenderingFreeType VTK::RenderingLabel VTK::RenderingLOD
+  VTK::RenderingVolumeOpenGL2)
+vtk_module_autoinit(TARGETS test_drop_in MODULES
+  VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingContextOpenGL2 VTK::RenderingFreeType
+  VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
+gtest_discover_tests(test_drop_in DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES PROPERTIES LABELS unit)
