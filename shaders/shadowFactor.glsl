@@ -7,7 +7,9 @@
 // unif shadowRange     vec4            x, y: stored depth d to distance (perspective x / d, parallel x + y d);
 //                                      z, w: parallel gl_FragCoord.z to distance z + w z; y = w = 0: perspective
 // unif shadowReversed  int             1: d is the stored depth, 0: 1 - stored depth
+// unif shadowEverySample  int          -1: all samples count; 0: those that the fragment covers, as far as is known
 // def  SHADOW_SAMPLES  samples a pixel
+// def  SHADOW_COVERAGE 1: the shader knows which samples the fragment covers
 // def  SHADOW_MATCH    1: the fragment may not be the surface of the mask, compare depths
 //
 // Choices are made by the preprocessor where they can be: a software rasteriser runs both sides of a branch.
@@ -23,6 +25,9 @@ uniform float shadowStrength[32];
 uniform int shadowPass;
 uniform vec4 shadowRange;
 uniform int shadowReversed;
+#if SHADOW_COVERAGE == 1
+uniform int shadowEverySample;
+#endif
 
 #if SHADOW_SAMPLES == 1 && SHADOW_MATCH == 0
 // The mask's word for the fragment; read once, at the start of main().
@@ -57,25 +62,32 @@ float shadowReached(int light)
   ivec2 pixel = ivec2(gl_FragCoord.xy) - shadowOrigin;
   float distanceHere = shadowRange.y == 0.0 ? 1.0 / gl_FragCoord.w : shadowRange.z + shadowRange.w * gl_FragCoord.z;
   float tolerance = 2.0 * fwidth(distanceHere) + 1e-4 * abs(distanceHere);
-  float all = 0.0;
-  float same = 0.0;
-  float reached = 0.0;
+  // Samples, and of these those that are reached: all; those of the same surface; of these those that are covered.
+  vec2 all = vec2(0.0);
+  vec2 same = vec2(0.0);
+  vec2 covered = vec2(0.0);
   for (int i = 0; i < SHADOW_SAMPLES; ++i)
   {
-    float bit = float((texelFetch(shadowMask, pixel, i).r >> uint(light)) & 1u);
-    float weight = shadowSameSurface(pixel, i, distanceHere, tolerance);
-    all += bit;
-    same += weight;
-    reached += weight * bit;
+    vec2 counted = vec2(1.0, float((texelFetch(shadowMask, pixel, i).r >> uint(light)) & 1u));
+    all += counted;
+    counted *= shadowSameSurface(pixel, i, distanceHere, tolerance);
+    same += counted;
+#if SHADOW_COVERAGE == 1
+    covered += float(((gl_SampleMaskIn[0] | shadowEverySample) >> i) & 1) * counted;
+#endif
   }
-  if (same > 0.0)
+  if (covered.x > 0.0)
   {
-    return reached / same;
+    return covered.y / covered.x;
+  }
+  if (same.x > 0.0)
+  {
+    return same.y / same.x;
   }
 #if SHADOW_MATCH == 1
   return 1.0;
 #else
-  return all / float(SHADOW_SAMPLES);
+  return all.y / all.x;
 #endif
 }
 #endif

@@ -12,6 +12,8 @@
 #include <vtkMapper.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
+#include <vtkProperty.h>
+#include <vtkTexture.h>
 
 #include "../vtkShadowCompat.h"
 
@@ -81,6 +83,13 @@ vtkSmartPointer<vtkPolyData> fan(vtkPolyData* input)
 }
 
 } // namespace
+
+bool isBlendedAsOpaque(vtkActor* actor)
+{
+  vtkTexture* texture = actor->GetTexture();
+  return actor->GetForceOpaque() && (actor->GetProperty()->GetOpacity() < 1.0 ||
+                                     (texture != nullptr && texture->IsTranslucent() != 0));
+}
 
 bool DrawnSurfaces::areKnown(vtkMapper* mapper)
 {

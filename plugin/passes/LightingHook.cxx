@@ -97,9 +97,16 @@ bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
   if (main != std::string::npos)
   {
     fragmentShader.insert(fragmentShader.find('{', main) + 1, "\n  readShadowMask();\n");
+    const bool coverage = this->knowsCoverage && this->samples > 1;
     fragmentShader.insert(main, "#define SHADOW_SAMPLES " + std::to_string(this->samples) +
-                                    "\n#define SHADOW_MATCH " + (mirrored ? "0\n" : "1\n") +
+                                    "\n#define SHADOW_MATCH " + (mirrored ? "0" : "1") +
+                                    "\n#define SHADOW_COVERAGE " + (coverage ? "1\n" : "0\n") +
                                     shaders::shadowFactor_glsl + "\n");
+    if (coverage)
+    {
+      // Behind the first line, in place of which VTK writes the version.
+      fragmentShader.insert(fragmentShader.find('\n') + 1, "#extension GL_ARB_gpu_shader5 : enable\n");
+    }
   }
   return blinnPhong + physicallyBased > 0 || !usesSceneLights(fragmentShader);
 }
@@ -168,6 +175,12 @@ void LightingHook::setUniforms(vtkOpenGLState* state, vtkShaderProgram* program)
   int viewport[4] = {0, 0, 0, 0};
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   program->SetUniform2i("shadowOrigin", viewport);
+  if (program->IsUniformUsed("shadowEverySample"))
+  {
+    GLint drawn = 0;
+    glGetIntegerv(GL_SAMPLES, &drawn);
+    program->SetUniformi("shadowEverySample", drawn == this->samples ? 0 : -1);
+  }
   if (program->IsUniformUsed("shadowDepth"))
   {
     program->SetUniformi("shadowDepth", this->depthUnit);

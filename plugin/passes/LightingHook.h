@@ -41,6 +41,7 @@ public:
   std::vector<float> strength; ///< a light that is switched on: 0 no shadow, 1 all of its light
   int pass = AllLights;        ///< which light the coming pass draws
   int samples = 1;             ///< samples a pixel of the mask
+  bool knowsCoverage = false;  ///< of the GL: shaders can ask which samples a fragment covers
 
 private:
   int maskUnit = -1;

@@ -151,7 +151,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     return;
   }
   mapper->Update();
-  if (!actor->HasOpaqueGeometry())
+  if (!actor->HasOpaqueGeometry() || isBlendedAsOpaque(actor))
   {
     this->skip(actor, "it is translucent");
     return;

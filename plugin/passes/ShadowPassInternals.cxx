@@ -150,9 +150,11 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, c
   std::transform(this->Hook.strength.begin(), this->Hook.strength.end(), this->Hook.strength.begin(),
                  [&](float attenuation) { return static_cast<float>(self->ShadowIntensity) * attenuation; });
   const int samples = state.Effect->getTarget().getSamples();
-  if (samples != this->Hook.samples)
+  const bool knowsCoverage = state.Effect->getCapabilities().sampleCoverage;
+  if (samples != this->Hook.samples || knowsCoverage != this->Hook.knowsCoverage)
   {
     this->Hook.samples = samples;
+    this->Hook.knowsCoverage = knowsCoverage;
     this->ShaderTime.Modified();
     this->ShaderMessages.clear();
   }

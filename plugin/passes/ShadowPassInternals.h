@@ -73,7 +73,7 @@ public:
 
   /// Makes ready for adding lights one by one, to what @p opaque has drawn.
   /// @return false, with a message, when that cannot be
-  bool BeginLights(const vtkRenderPass* opaque);
+  bool BeginLights(const vtkRenderState* s, const vtkRenderPass* opaque);
 
   /// Draws what each light adds to the picture of AmbientOnly, and adds it.
   void AddLights(const vtkRenderState* s, vtkRenderPass* opaque);

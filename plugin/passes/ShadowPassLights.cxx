@@ -3,16 +3,27 @@
 
 #include <algorithm>
 
+#include <vtkActor.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderState.h>
 
+#include "DrawnSurfaces.h"
 #include "OpenGL.h"
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumePass::vtkInternals::BeginLights(const vtkRenderPass* opaque)
+bool vtkShadowVolumePass::vtkInternals::BeginLights(const vtkRenderState* s,
+                                                    const vtkRenderPass* opaque)
 {
-  std::string error = "lights cannot be added one by one under ambient occlusion or hidden line removal";
-  const bool ready = this->Passes.isPlain(opaque) &&
+  vtkProp** props = s->GetPropArray();
+  const bool isBlended = std::any_of(props, props + s->GetPropArrayCount(),
+                                     [](vtkProp* prop)
+                                     {
+                                       auto* actor = vtkActor::SafeDownCast(prop);
+                                       return actor != nullptr && shadow::isBlendedAsOpaque(actor);
+                                     });
+  std::string error = "lights cannot be added one by one under ambient occlusion, under hidden line removal, to "
+                      "what is blended or without a depth test";
+  const bool ready = this->Passes.isPlain(opaque) && !isBlended && glIsEnabled(GL_DEPTH_TEST) == GL_TRUE &&
                      this->Current->Lights.begin(this->Current->Context.getWindow()->GetState(), error);
   if (!ready)
   {

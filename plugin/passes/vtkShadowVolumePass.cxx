@@ -116,7 +116,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s, vtkRenderPass*
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   hook.begin(state, *internals.Current->Effect, internals.Current->View);
   this->PreRender(s);
-  if (this->Compositing == COMPOSITING_MASK || !internals.BeginLights(opaque))
+  if (this->Compositing == COMPOSITING_MASK || !internals.BeginLights(s, opaque))
   {
     hook.pass = shadow::LightingHook::AllLights;
     this->RenderPart(opaque, s);

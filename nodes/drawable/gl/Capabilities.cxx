@@ -47,6 +47,7 @@ Capabilities queryCapabilities()
   capabilities.clipControl =
       (version >= 45 || hasExtension("GL_ARB_clip_control")) && glClipControl != nullptr;
   capabilities.sampleShading = version >= 40 || hasExtension("GL_ARB_sample_shading");
+  capabilities.sampleCoverage = version >= 40 || hasExtension("GL_ARB_gpu_shader5");
   capabilities.compute = version >= 43 && glDispatchCompute != nullptr;
   const GLubyte* name = glGetString(GL_RENDERER);
   const std::string renderer = name != nullptr ? reinterpret_cast<const char*>(name) : "";

@@ -15,6 +15,7 @@ struct Capabilities
   std::string version;        ///< of OpenGL: "4.5"
   bool clipControl = false;   ///< GL 4.5 or ARB_clip_control: reversed depth
   bool sampleShading = false; ///< GL 4.0 or ARB_sample_shading: a shader can look at one sample
+  bool sampleCoverage = false; ///< GL 4.0 or ARB_gpu_shader5: a shader knows which samples a fragment covers
   bool compute = false;       ///< GL 4.3: compute shaders, and what they write to
   bool software = false;      ///< Mesa's software rasterisers
   int maximumSamples = 1;     ///< of integer, float and depth textures
