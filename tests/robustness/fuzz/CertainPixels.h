@@ -5,6 +5,7 @@
 #include "MaskTruth.h"
 #include "PixelRays.h"
 #include "RayCaster.h"
+#include "SeenOutlines.h"
 
 namespace shadow::fuzz
 {
@@ -57,7 +58,9 @@ private:
   bool findCertainty(int x, int y) const;
   bool hasSameAnswerNearby(const truth::Hit& hit, bool isShadowed) const;
   bool hasSameBlockersNearby(const truth::Hit& hit) const;
-  bool hasSameAnswerInDepth(const truth::Ray& ray, const truth::Hit& hit, bool isShadowed) const;
+  bool hasSameAnswerInDepth(const glm::dvec2& at, const truth::Ray& ray, const truth::Hit& hit,
+                            bool isShadowed) const;
+  bool leavesCoincident(const truth::Hit& hit, const glm::dvec3& moved, double lifted) const;
   bool isInPlaneOfLight(const truth::Hit& hit) const;
 
   truth::RayCaster caster;
@@ -66,6 +69,7 @@ private:
   std::vector<truth::LocalTriangle> triangles; ///< in the scene's order
   double halfSide;                            ///< of the cube below
   std::vector<truth::LocalLight> movedLights; ///< the light itself, too
+  SeenOutlines outlines;
   mutable std::vector<signed char> known; ///< a pixel's certainty; -1 not asked yet
 };
 
