@@ -92,27 +92,46 @@ bool SeenOutlines::pass(const glm::dvec2& at, const std::optional<truth::Hit>& h
 
 bool SeenOutlines::passThinVolume(const glm::dvec2& at) const
 {
-  const glm::dvec2 origin = this->rays.toPixels({0.0, 0.0, 0.0, 1.0});
-  const glm::dvec2 pixels = this->rays.toPixels({1.0, 1.0, 0.0, 1.0}) - origin;
-  const glm::dvec3 place((at - origin) / pixels, 1.0);
-  const glm::dvec4 lightClip = this->toHomogeneousClip(this->lightPosition);
-  const glm::dvec3 light(lightClip.x, lightClip.y, lightClip.w);
-  const auto isNearRay = [&](const glm::dvec3& corner)
-  {
-    const glm::dvec4 clip = this->rays.toClip(corner);
-    const glm::dvec3 line = glm::cross(glm::dvec3(clip.x, clip.y, clip.w), light);
-    return std::abs(glm::dot(line, place)) <= grid * glm::length(glm::dvec2(line) / pixels);
-  };
   return std::any_of(this->triangles.begin(), this->triangles.end(),
                      [&](const truth::LocalTriangle& triangle)
-                     { return triangle.casts && isNearRay(triangle.a) && isNearRay(triangle.b) && isNearRay(triangle.c); });
+                     {
+                       if (!triangle.casts)
+                       {
+                         return false;
+                       }
+                       bool isThin = true;
+                       bool endsThin = true;
+                       const std::array<glm::dvec3, 3> corners = getCorners(triangle);
+                       for (std::size_t i = 0; i < 3; ++i)
+                       {
+                         const glm::dvec4 from = this->getRay(corners[i]);
+                         isThin = isThin && this->isNearLine({corners[i], 1.0}, from, at);
+                         endsThin = endsThin && this->isNearLine(from, this->getRay(corners[(i + 1) % 3]), at);
+                       }
+                       return isThin || endsThin;
+                     });
 }
 
-/// Of a position (w = 1) or a direction (w = 0).
-glm::dvec4 SeenOutlines::toHomogeneousClip(const glm::dvec4& position) const
+/// Direction from the light.
+glm::dvec4 SeenOutlines::getRay(const glm::dvec3& point) const
 {
-  const glm::dvec4 clip = this->rays.toClip(glm::dvec3(position));
-  return position.w != 0.0 ? clip : clip - this->rays.toClip(glm::dvec3(0.0));
+  return {this->lightPosition.w * point - glm::dvec3(this->lightPosition), 0.0};
+}
+
+/// On the screen, and on without end; each a position (w = 1) or a direction (w = 0). Equal ones are no line.
+bool SeenOutlines::isNearLine(const glm::dvec4& from, const glm::dvec4& to, const glm::dvec2& at) const
+{
+  const glm::dvec4 origin = this->rays.toClip(glm::dvec3(0.0));
+  const auto toScreen = [&](const glm::dvec4& place)
+  {
+    const glm::dvec4 clip = this->rays.toClip(glm::dvec3(place)) - (1.0 - place.w) * origin;
+    return glm::dvec3(clip.x, clip.y, clip.w);
+  };
+  const glm::dvec2 zero = this->rays.toPixels({0.0, 0.0, 0.0, 1.0});
+  const glm::dvec2 pixels = this->rays.toPixels({1.0, 1.0, 0.0, 1.0}) - zero;
+  const glm::dvec3 line = glm::cross(toScreen(from), toScreen(to));
+  return std::abs(glm::dot(line, glm::dvec3((at - zero) / pixels, 1.0))) <
+         grid * glm::length(glm::dvec2(line) / pixels);
 }
 
 std::vector<SeenOutlines::Side> SeenOutlines::getSeenSides(const truth::LocalTriangle& triangle) const

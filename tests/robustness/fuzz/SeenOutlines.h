@@ -29,8 +29,8 @@ public:
   /// @par Cost   O(triangles), O(triangles) more for each edge that passes the point
   bool pass(const glm::dvec2& at, const std::optional<truth::Hit>& hit) const;
 
-  /// Whether the shadow volume of a triangle passes that is thinner than the grid there. Its sides are then
-  /// faces as thin, and are drawn here and there.
+  /// Whether the shadow volume of a triangle passes that is thinner than the grid there, or that ends there, at
+  /// infinity, in a line as thin. Its faces are then as thin, and are drawn here and there, without a depth.
   /// @par Cost  O(triangles)
   bool passThinVolume(const glm::dvec2& at) const;
 
@@ -39,7 +39,8 @@ private:
 
   std::vector<Side> getSeenSides(const truth::LocalTriangle& triangle) const;
   bool isNear(const Side& side, const glm::dvec2& at, double hiddenBehind) const;
-  glm::dvec4 toHomogeneousClip(const glm::dvec4& position) const;
+  glm::dvec4 getRay(const glm::dvec3& point) const;
+  bool isNearLine(const glm::dvec4& from, const glm::dvec4& to, const glm::dvec2& at) const;
   double getRounding(const glm::dvec3& point) const;
   bool goesOn(const truth::LocalTriangle& triangle, std::size_t side) const;
 
