@@ -113,8 +113,8 @@ void Extruder::addLightCap(ShadowVolume& volume) const
 void Extruder::addDarkTriangles(ShadowVolume& volume)
 {
   // On a closed mesh the averted triangles have the same border as those that face the light, the other way
-  // round. That needs every edge to have two triangles; any other mesh repeats its light cap, and so does one with
-  // a triangle close to the light.
+  // round. That needs every edge to have two triangles; any other mesh repeats its light cap, and so does one
+  // with a triangle close to the light.
   const bool averted =
       this->casting == Casting::LightFacing && this->geometry.isClosed() && !this->hasCloseTriangles();
   auto close = this->closeTriangles.begin();
@@ -148,9 +148,9 @@ void Extruder::addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolum
   volume.darkCap.push_back({farCopy(corners[0]), farCopy(corners[1]), farCopy(corners[2])});
 }
 
-/// Any vertex would do that is not at the light. But a fan around one on a straight border has triangles without
-/// area, which rounding to a rasteriser's grid gives one in some pixels, and nothing a depth. So it is a corner
-/// of a casting triangle from the middle of the list, which on most meshes is not on the border.
+/// Any vertex would do that is not at the light. But a fan around one on a straight border has triangles
+/// without area, which rounding to a rasteriser's grid gives one in some pixels, and nothing a depth. So it
+/// is a corner of a casting triangle from the middle of the list, which on most meshes is not on the border.
 std::uint32_t Extruder::chooseApex() const
 {
   const std::size_t count = this->geometry.getTriangles().size();

@@ -201,8 +201,9 @@ bool CertainPixels::leavesCoincident(const truth::Hit& hit, const glm::dvec3& mo
                      [&](const truth::LocalTriangle& other)
                      {
                        const glm::dvec3 normal = glm::cross(other.b - other.a, other.c - other.a);
+                       const double height = std::abs(glm::dot(normal, hit.point - other.a));
                        return other.casts && other.index != hit.triangle &&
-                              std::abs(glm::dot(normal, hit.point - other.a)) <= lifted * glm::length(normal) &&
+                              height <= lifted * glm::length(normal) &&
                               isInPrism(other, hit.point, normal) != isInPrism(other, moved, normal);
                      });
 }

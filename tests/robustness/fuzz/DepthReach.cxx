@@ -87,8 +87,8 @@ double getDepthReach(const truth::PixelRays& rays, const glm::dvec2& size, const
     reach = std::max(reach, truth::largestCoordinate(ray.origin) + truth::largestCoordinate(corner));
   }
   const glm::dvec4 seen = rays.toClip(hit.point);
-  // Depth is linear on the screen: in parallel views the height over the near plane, else the reciprocal of the
-  // distance. As a distance at the place of the hit:
+  // Depth is linear on the screen: in parallel views the height over the near plane, else the reciprocal of
+  // the distance. As a distance at the place of the hit:
   const auto toDistance = [&](const glm::dvec4& clip)
   { return rays.eye().w == 0.0 ? clip.z * near / seen.z : seen.w * seen.w / clip.w; };
   const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);

@@ -106,7 +106,8 @@ bool SeenOutlines::passThinVolume(const glm::dvec2& at) const
                        {
                          const glm::dvec4 from = this->getRay(corners[i]);
                          isThin = isThin && this->isNearLine({corners[i], 1.0}, from, at);
-                         endsThin = endsThin && this->isNearLine(from, this->getRay(corners[(i + 1) % 3]), at);
+                         const glm::dvec4 to = this->getRay(corners[(i + 1) % 3]);
+                         endsThin = endsThin && this->isNearLine(from, to, at);
                        }
                        return isThin || endsThin;
                      });
@@ -194,7 +195,8 @@ double SeenOutlines::getRounding(const glm::dvec3& point) const
     terms += glm::abs(this->rays.toClip(part) - origin);
   }
   const glm::dvec4 clip = this->rays.toClip(point);
-  const glm::dvec2 pixels = this->rays.toPixels({1.0, 1.0, 0.0, 1.0}) - this->rays.toPixels({0.0, 0.0, 0.0, 1.0});
+  const glm::dvec2 pixels =
+      this->rays.toPixels({1.0, 1.0, 0.0, 1.0}) - this->rays.toPixels({0.0, 0.0, 0.0, 1.0});
   const glm::dvec2 moved = (glm::dvec2(terms) + glm::abs(glm::dvec2(clip) / clip.w) * terms.w) / clip.w;
   return roundings * glm::length(pixels * moved);
 }

@@ -11,9 +11,10 @@ namespace shadow::fuzz
 
 /// The outlines of triangles on the screen, where a rasteriser may draw a triangle beside itself.
 ///
-/// Corners are rounded to the rasteriser's grid of 1/256 pixel, and before that to single precision. So a triangle
-/// may be drawn in a pixel whose centre is off it by less than that: with the depth that its plane has beyond
-/// its edge, where the side of its volume that hangs there is in front; and where it is thinner, turned over.
+/// Corners are rounded to the rasteriser's grid of 1/256 pixel, and before that to single precision. So a
+/// triangle may be drawn in a pixel whose centre is off it by less than that: with the depth that its plane
+/// has beyond its edge, where the side of its volume that hangs there is in front; and where it is thinner,
+/// turned over.
 class SeenOutlines
 {
 public:
@@ -29,8 +30,9 @@ public:
   /// @par Cost   O(triangles), O(triangles) more for each edge that passes the point
   bool pass(const glm::dvec2& at, const std::optional<truth::Hit>& hit) const;
 
-  /// Whether the shadow volume of a triangle passes that is thinner than the grid there, or that ends there, at
-  /// infinity, in a line as thin. Its faces are then as thin, and are drawn here and there, without a depth.
+  /// Whether the shadow volume of a triangle passes that is thinner than the grid there, or that ends there,
+  /// at infinity, in a line as thin. Its faces are then as thin, and are drawn here and there, without a
+  /// depth.
   /// @par Cost  O(triangles)
   bool passThinVolume(const glm::dvec2& at) const;
 

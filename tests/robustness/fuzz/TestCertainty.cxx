@@ -1,5 +1,5 @@
-// That what rounding to a rasteriser's grid and to single precision decides has no certain answer, and nothing
-// more than that.
+// That what rounding to a rasteriser's grid and to single precision decides has no certain answer, and
+// nothing more than that.
 #include <gtest/gtest.h>
 
 #include "DepthReach.h"
@@ -71,8 +71,8 @@ TEST(SeenOutlines, EdgeAcrossWhichTheSurfaceGoesOn_IsNoOutline)
 
 TEST(SeenOutlines, HiddenOutline_IsNone)
 {
-  const std::vector<truth::LocalTriangle> triangles = {left,
-                                                       makeTriangle({-90, -90, 9}, {290, -90, 9}, {0, 290, 9})};
+  const std::vector<truth::LocalTriangle> triangles = {
+      left, makeTriangle({-90, -90, 9}, {290, -90, 9}, {0, 290, 9})};
   truth::Hit hit;
   hit.triangle = 1;
   hit.point = {50.0, 40.5, 9.0};
