@@ -143,10 +143,11 @@ FaceCounter GPUSilhouette::countWith(vtkShaderProgram* program, const Surface& s
 glm::vec3 GPUSilhouette::chooseApex(const SEDGeometry& geometry, const glm::dvec4& lightMC)
 {
   const std::vector<glm::vec3>& positions = geometry.getPositions();
-  const glm::dvec3 light(lightMC);
-  const auto apart =
-      std::find_if(positions.begin(), positions.end(), [&](const glm::vec3& position)
-                   { return lightMC.w == 0.0 || glm::dvec3(position) != light; });
+  const auto isApart = [&](const glm::vec3& position)
+  { return lightMC.w == 0.0 || glm::dvec3(position) != glm::dvec3(lightMC); };
+  // As Extruder::chooseApex() in nodes/geometry/volumes/ShadowVolume.cxx: from the middle of the list.
+  const auto middle = positions.begin() + geometry.getTriangles()[geometry.getTriangles().size() / 2][0];
+  const auto apart = isApart(*middle) ? middle : std::find_if(positions.begin(), positions.end(), isApart);
   return apart != positions.end() ? *apart : glm::vec3(0.0f);
 }
 

@@ -55,6 +55,7 @@ private:
     return both && this->facing.away.test(triangle) ? -1 : towards;
   }
 
+  std::uint32_t chooseApex() const;
   void addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolume& volume) const;
 
   const SEDGeometry& geometry;
@@ -112,8 +113,8 @@ void Extruder::addLightCap(ShadowVolume& volume) const
 void Extruder::addDarkTriangles(ShadowVolume& volume)
 {
   // On a closed mesh the averted triangles have the same border as those that face the light, the other way
-  // round. That needs every edge to have two triangles; any other mesh repeats its light cap, and so does one with
-  // a triangle close to the light.
+  // round. That needs every edge to have two triangles; any other mesh repeats its light cap, and so does one
+  // with a triangle close to the light.
   const bool averted =
       this->casting == Casting::LightFacing && this->geometry.isClosed() && !this->hasCloseTriangles();
   auto close = this->closeTriangles.begin();
@@ -147,6 +148,20 @@ void Extruder::addFar(std::size_t triangle, bool againstRasterOrder, ShadowVolum
   volume.darkCap.push_back({farCopy(corners[0]), farCopy(corners[1]), farCopy(corners[2])});
 }
 
+/// Any vertex would do that is not at the light. But a fan around one on a straight border has triangles
+/// without area, which rounding to a rasteriser's grid gives one in some pixels, and nothing a depth. So it
+/// is a corner of a casting triangle from the middle of the list, which on most meshes is not on the border.
+std::uint32_t Extruder::chooseApex() const
+{
+  const std::size_t count = this->geometry.getTriangles().size();
+  std::size_t triangle = count / 2;
+  for (std::size_t i = 0; i < count && this->getSign(triangle) == 0; ++i)
+  {
+    triangle = (triangle + 1) % count;
+  }
+  return this->geometry.getTriangles()[triangle][0];
+}
+
 /// Closes the far end with one triangle from each far edge to one of the vertices. As many edges leave each
 /// vertex as arrive there, so that the sides of the fan cancel.
 void Extruder::addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowVolume& volume) const
@@ -155,7 +170,7 @@ void Extruder::addDarkFan(const std::vector<SilhouetteEdge>& silhouette, ShadowV
   {
     return;
   }
-  const std::uint32_t apex = silhouette.front().from;
+  const std::uint32_t apex = this->chooseApex();
   for (const SilhouetteEdge& edge : silhouette)
   {
     if (edge.from == apex || edge.to == apex)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "DepthReach.h"
 #include "ShadowingRange.h"
 
 namespace shadow::fuzz
@@ -92,6 +93,7 @@ CertainPixels::CertainPixels(const truth::Scene& scene, const truth::View& view,
     : caster(scene), truth(caster, view, light), rays(view, caster.originWC()),
       triangles(makeTriangles(caster, scene, doublePoints)),
       halfSide(getHalfSide(scene, light)), movedLights(moveLight(caster, light, halfSide)),
+      outlines(triangles, rays, movedLights.front().position),
       known(truth.mask().size(), -1)
 {
 }
@@ -111,14 +113,21 @@ bool CertainPixels::findCertainty(int x, int y) const
 {
   const std::size_t pixel = static_cast<std::size_t>(y) * this->getWidth() + x;
   const bool isShadowed = this->getMask()[pixel] == 0;
-  const bool isBackground = !this->caster.firstHit(this->rays.through(x + 0.5, y + 0.5));
+  const glm::dvec2 centre(x + 0.5, y + 0.5);
+  const std::optional<truth::Hit> seen = this->caster.firstHit(this->rays.through(centre.x, centre.y));
+  const bool isBackground = !seen;
+  if (this->outlines.pass(centre, seen) || this->outlines.passThinVolume(centre))
+  {
+    return false;
+  }
   constexpr double off = truth::MaskTruth::certainOffset;
-  const std::array<glm::dvec2, 5> places = {glm::dvec2(0.0), glm::dvec2(-off, -off), glm::dvec2(-off, off),
-                                            glm::dvec2(off, -off), glm::dvec2(off, off)};
+  const std::array<glm::dvec2, 5> places = {centre, centre + glm::dvec2(-off, -off),
+                                            centre + glm::dvec2(-off, off), centre + glm::dvec2(off, -off),
+                                            centre + glm::dvec2(off, off)};
   return std::all_of(places.begin(), places.end(),
                      [&](const glm::dvec2& place)
                      {
-                       const truth::Ray ray = this->rays.through(x + 0.5 + place.x, y + 0.5 + place.y);
+                       const truth::Ray ray = this->rays.through(place.x, place.y);
                        const std::optional<truth::Hit> hit = this->caster.firstHit(ray);
                        if (!hit || isBackground)
                        {
@@ -126,7 +135,7 @@ bool CertainPixels::findCertainty(int x, int y) const
                        }
                        return this->hasSameAnswerNearby(*hit, isShadowed) && !this->isInPlaneOfLight(*hit) &&
                               this->hasSameBlockersNearby(*hit) &&
-                              this->hasSameAnswerInDepth(ray, *hit, isShadowed);
+                              this->hasSameAnswerInDepth(place, ray, *hit, isShadowed);
                      });
 }
 
@@ -158,14 +167,15 @@ bool CertainPixels::hasSameBlockersNearby(const truth::Hit& hit) const
   return same;
 }
 
-bool CertainPixels::hasSameAnswerInDepth(const truth::Ray& ray, const truth::Hit& hit, bool isShadowed) const
+bool CertainPixels::hasSameAnswerInDepth(const glm::dvec2& at, const truth::Ray& ray, const truth::Hit& hit,
+                                         bool isShadowed) const
 {
   const truth::LocalTriangle& triangle = this->triangles[hit.triangle];
   const truth::LocalLight& light = this->movedLights.front();
   const glm::dvec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
   const glm::dvec3 toLight = glm::normalize(glm::dvec3(light.position) - light.position.w * hit.point);
-  const double far = std::max({glm::distance(ray.origin, hit.point), truth::largestCoordinate(triangle.a),
-                               truth::largestCoordinate(triangle.b), truth::largestCoordinate(triangle.c)});
+  const double far =
+      getDepthReach(this->rays, {this->getWidth(), this->getHeight()}, at, ray, triangle, hit);
   const double lifted = depthRoundings * far * glm::dot(normal, ray.direction);
   // Where the light's ray through the lifted point meets the surface: a point off the surface would be behind
   // whatever coincides with it.
@@ -176,12 +186,26 @@ bool CertainPixels::hasSameAnswerInDepth(const truth::Ray& ray, const truth::Hit
     truth::Hit moved = hit;
     moved.point += step * lifted / steepness * along;
     // Beyond an edge of its own, the volume's side that hangs from there is within rounding of what is seen.
-    if (this->caster.isReached(moved, light) == isShadowed || !isInPrism(triangle, moved.point, normal))
+    if (this->caster.isReached(moved, light) == isShadowed || !isInPrism(triangle, moved.point, normal) ||
+        this->leavesCoincident(hit, moved.point, std::abs(lifted)))
     {
       return false;
     }
   }
   return true;
+}
+
+bool CertainPixels::leavesCoincident(const truth::Hit& hit, const glm::dvec3& moved, double lifted) const
+{
+  return std::any_of(this->triangles.begin(), this->triangles.end(),
+                     [&](const truth::LocalTriangle& other)
+                     {
+                       const glm::dvec3 normal = glm::cross(other.b - other.a, other.c - other.a);
+                       const double height = std::abs(glm::dot(normal, hit.point - other.a));
+                       return other.casts && other.index != hit.triangle &&
+                              height <= lifted * glm::length(normal) &&
+                              isInPrism(other, hit.point, normal) != isInPrism(other, moved, normal);
+                     });
 }
 
 bool CertainPixels::isInPlaneOfLight(const truth::Hit& hit) const

@@ -1,6 +1,8 @@
 #include "ShadowingRange.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace shadow::fuzz
 {
@@ -30,12 +32,14 @@ int sideOfEdge(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& d
 Shadowing findShadowing(const truth::LocalTriangle& triangle, const glm::dvec3& point, double pointRounding,
                         const glm::dvec4& light, double halfSide)
 {
-  const int pointSide = truth::sideOfPlane(triangle, glm::dvec4(point, 1.0), pointRounding);
-  if (pointSide == 0)
+  const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  if (std::abs(glm::dot(normal, point - triangle.a)) <=
+      std::max(pointRounding, triangle.rounding) * glm::length(normal))
   {
     return Shadowing::Never;
   }
-  const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  // 0: off the plane, but rounding of the corners may turn the plane past the point. A sliver's may be any.
+  const int pointSide = truth::sideOfPlane(triangle, glm::dvec4(point, 1.0), pointRounding);
   const glm::dvec3 size = glm::abs(normal);
   const glm::dvec3 fromCorner = glm::dvec3(light) - light.w * triangle.a;
   const double tilt = triangle.rounding * glm::length(fromCorner) *
@@ -43,7 +47,7 @@ Shadowing findShadowing(const truth::LocalTriangle& triangle, const glm::dvec3& 
   const double shift = light.w * triangle.rounding * glm::length(normal);
   const int lightSide =
       findSide(glm::dot(normal, fromCorner), tilt + shift + halfSide * (size.x + size.y + size.z));
-  if (lightSide == pointSide)
+  if (pointSide != 0 && lightSide == pointSide)
   {
     return Shadowing::Never;
   }
@@ -60,7 +64,7 @@ Shadowing findShadowing(const truth::LocalTriangle& triangle, const glm::dvec3& 
   {
     return Shadowing::Never;
   }
-  return taken[1] || lightSide == 0 ? Shadowing::Sometimes : Shadowing::Always;
+  return taken[1] || lightSide == 0 || pointSide == 0 ? Shadowing::Sometimes : Shadowing::Always;
 }
 
 } // namespace shadow::fuzz

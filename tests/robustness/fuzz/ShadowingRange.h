@@ -16,8 +16,10 @@ enum class Shadowing
 /// Decides for all places of the cube, which samples do not: a light within rounding of an edge or a corner
 /// sees next to it whatever lies in the direction from the edge in which the light happens to be off it.
 ///
-/// On which side of a plane the light is, of the triangle's or of one through the point and an edge, is linear
-/// in the light's place. Where rounding of the vertices could turn it, no side is certain either.
+/// On which side of a plane the light is, of the triangle's or of one through the point and an edge, is
+/// linear in the light's place. Where rounding of the vertices could turn it, no side is certain either. A
+/// point that is off the triangle's plane, but which that plane may turn past, as a sliver's may turn past
+/// anything, may be on both of its sides.
 ///
 /// @param point      caster's space
 /// @param light      centre of the cube; a position (w = 1) or a direction towards it (w = 0)

@@ -198,6 +198,24 @@ TEST(ShadowVolume, FanAndTriangles_EncloseTheSamePoints)
   }
 }
 
+// A fan around a point of a straight border would have triangles without area.
+TEST(ShadowVolume, FanOverAStraightBorder_EveryTriangleHasAnArea)
+{
+  for (const std::uint32_t divisions : {1u, 2u, 3u, 8u, 30u})
+  {
+    const SEDGeometry geometry = build(makeFlatSquare(divisions));
+    const std::vector<glm::vec3>& positions = geometry.getPositions();
+    const ShadowVolume fan =
+        extrude(geometry, {0.3, 0.2, 3.0, 1.0}, Casting::EveryTriangle, DarkCap::Fan);
+    EXPECT_GE(fan.darkCap.size(), 4 * divisions - 2);
+    for (const ShadowVolume::Triangle& face : fan.darkCap)
+    {
+      const glm::dvec3 a(positions[face[0] / 2]), b(positions[face[1] / 2]), c(positions[face[2] / 2]);
+      EXPECT_GT(glm::length(glm::cross(b - a, c - a)), 1e-3) << divisions;
+    }
+  }
+}
+
 TEST(ShadowVolume, LightFacing_BlocksExactlyWhatEveryTriangleBlocks)
 {
   std::mt19937 random(5);
