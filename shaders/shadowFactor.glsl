@@ -7,6 +7,7 @@
 // unif shadowRange     vec4            x, y: stored depth d to distance (perspective x / d, parallel x + y d);
 //                                      z, w: parallel gl_FragCoord.z to distance z + w z; y = w = 0: perspective
 // unif shadowReversed  int             1: d is the stored depth, 0: 1 - stored depth
+// unif shadowSamplePlace  vec2[]       a sample: its place in the pixel, 0 to 1
 // unif shadowEverySample  int          -1: all samples count; 0: those that the fragment covers, as far as is known
 // def  SHADOW_SAMPLES  samples a pixel
 // def  SHADOW_COVERAGE 1: the shader knows which samples the fragment covers
@@ -25,6 +26,7 @@ uniform float shadowStrength[32];
 uniform int shadowPass;
 uniform vec4 shadowRange;
 uniform int shadowReversed;
+uniform vec2 shadowSamplePlace[SHADOW_SAMPLES];
 #if SHADOW_COVERAGE == 1
 uniform int shadowEverySample;
 #endif
@@ -48,41 +50,48 @@ void readShadowMask()
 {
 }
 
-// 1 when the sample of the mask belongs to the surface that is shaded, 0 when to another one.
-float shadowSameSurface(ivec2 pixel, int sampleIndex, float distanceHere, float tolerance)
+// What changes evenly over the screen on a plane: 1 / distance in a perspective, else distance. Of a depth of the mask.
+float shadowEvenDepth(ivec2 pixel, int sampleIndex)
 {
   float stored = texelFetch(shadowDepth, pixel, sampleIndex).r;
   float depth = shadowReversed == 1 ? stored : 1.0 - stored;
-  float distanceThere = shadowRange.y == 0.0 ? shadowRange.x / max(depth, 1e-30) : shadowRange.x + shadowRange.y * depth;
-  return abs(distanceThere - distanceHere) <= tolerance ? 1.0 : 0.0;
+  return shadowRange.y == 0.0 ? depth / shadowRange.x : shadowRange.x + shadowRange.y * depth;
 }
 
+// The samples of the mask that belong to the fragment count: those that it covers and that are in its plane; if there
+// are none, all in its plane; at last all that are about as deep.
 float shadowReached(int light)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - shadowOrigin;
-  float distanceHere = shadowRange.y == 0.0 ? 1.0 / gl_FragCoord.w : shadowRange.z + shadowRange.w * gl_FragCoord.z;
-  float tolerance = 2.0 * fwidth(distanceHere) + 1e-4 * abs(distanceHere);
-  // Samples, and of these those that are reached: all; those of the same surface; of these those that are covered.
+  bool perspective = shadowRange.y == 0.0;
+  float here = perspective ? gl_FragCoord.w : shadowRange.z + shadowRange.w * gl_FragCoord.z;
+  vec2 slope = vec2(dFdx(here), dFdy(here));
+  float inPixel = abs(slope.x) + abs(slope.y);
+  // Corners are snapped to 1/256 of a pixel, by VTK and by us, and VTK rounds positions on its own.
+  float planeTolerance = 0.02 * inPixel + 1e-5 * abs(here);
+  float nearTolerance = 2.0 * inPixel + 1e-4 * abs(here);
+  // Samples, and of these those that are reached.
   vec2 all = vec2(0.0);
-  vec2 same = vec2(0.0);
+  vec2 near = vec2(0.0);
+  vec2 inPlane = vec2(0.0);
   vec2 covered = vec2(0.0);
   for (int i = 0; i < SHADOW_SAMPLES; ++i)
   {
     vec2 counted = vec2(1.0, float((texelFetch(shadowMask, pixel, i).r >> uint(light)) & 1u));
+    float there = shadowEvenDepth(pixel, i);
     all += counted;
-    counted *= shadowSameSurface(pixel, i, distanceHere, tolerance);
-    same += counted;
+    near += abs(there - here) <= nearTolerance ? counted : vec2(0.0);
+    float ofPlane = here + dot(slope, shadowSamplePlace[i] - 0.5);
+    counted = abs(there - ofPlane) <= planeTolerance ? counted : vec2(0.0);
+    inPlane += counted;
 #if SHADOW_COVERAGE == 1
     covered += float(((gl_SampleMaskIn[0] | shadowEverySample) >> i) & 1) * counted;
 #endif
   }
-  if (covered.x > 0.0)
+  vec2 own = covered.x > 0.0 ? covered : (inPlane.x > 0.0 ? inPlane : near);
+  if (own.x > 0.0)
   {
-    return covered.y / covered.x;
-  }
-  if (same.x > 0.0)
-  {
-    return same.y / same.x;
+    return own.y / own.x;
   }
 #if SHADOW_MATCH == 1
   return 1.0;

@@ -115,6 +115,7 @@ void LightingHook::begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, cons
 {
   ShadowTarget& target = effect.getTarget();
   this->textureTarget = target.getTextureTarget();
+  this->samplePlaces = &target.getSamplePlaces();
   this->maskUnit = state->GetTextureUnitManager()->Allocate();
   state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->maskUnit));
   glBindTexture(this->textureTarget, target.getMaskTexture());
@@ -186,6 +187,9 @@ void LightingHook::setUniforms(vtkOpenGLState* state, vtkShaderProgram* program)
     program->SetUniformi("shadowDepth", this->depthUnit);
     program->SetUniform4f("shadowRange", this->range);
     program->SetUniformi("shadowReversed", this->reversed ? 1 : 0);
+    const int places = static_cast<int>(this->samplePlaces->size() / 2);
+    program->SetUniform2fv("shadowSamplePlace", places,
+                           reinterpret_cast<const float(*)[2]>(this->samplePlaces->data()));
   }
 }
 

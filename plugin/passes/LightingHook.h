@@ -47,6 +47,7 @@ private:
   int maskUnit = -1;
   int depthUnit = -1;
   unsigned int textureTarget = 0;
+  const std::vector<float>* samplePlaces = nullptr; ///< of the mask, while it is bound
   float range[4] = {0.0f, 0.0f, 0.0f, 0.0f};
   bool reversed = true;
 };

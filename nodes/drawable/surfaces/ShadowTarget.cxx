@@ -72,7 +72,19 @@ bool ShadowTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, 
             std::to_string(newHeight) + " pixels with " + std::to_string(newSamples) + " samples";
     return false;
   }
+  this->findSamplePlaces(state);
   return true;
+}
+
+void ShadowTarget::findSamplePlaces(vtkOpenGLState* state)
+{
+  this->samplePlaces.assign(2 * static_cast<std::size_t>(this->samples), 0.5f);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
+  for (int i = 0; i < this->samples && this->samples > 1; ++i)
+  {
+    glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i),
+                       &this->samplePlaces[2 * static_cast<std::size_t>(i)]);
+  }
 }
 
 // 0 when the GL refuses.

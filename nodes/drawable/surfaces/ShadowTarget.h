@@ -60,12 +60,15 @@ public:
   int getWidth() const { return this->width; }
   int getHeight() const { return this->height; }
   int getSamples() const { return this->samples; } ///< what the GL gave; may be more than was asked for
+  /// Of each sample x and y in its pixel, 0 to 1.
+  const std::vector<float>& getSamplePlaces() const { return this->samplePlaces; }
   std::size_t getMemorySize() const;               ///< bytes
 
 private:
   void readResolved(vtkOpenGLRenderWindow* window, int light, std::vector<unsigned char>& mask);
   unsigned int makeTexture(unsigned int internalFormat, unsigned int format, unsigned int type) const;
 
+  void findSamplePlaces(vtkOpenGLState* state);
   unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture) const;
   void drawReading(vtkOpenGLState* state, unsigned int texture, vtkShaderProgram* program,
                    const char* sampler) const;
@@ -82,6 +85,7 @@ private:
   int height = 0;
   int samples = 0;
   int samplesAskedFor = 0;
+  std::vector<float> samplePlaces;
 };
 
 } // namespace shadow

@@ -98,7 +98,7 @@ std::vector<Row> windowRows()
   using R = vtkRenderer*;
   return {
       stereo("stereo_red_blue", VTK_STEREO_RED_BLUE),
-      stereo("stereo_anaglyph", VTK_STEREO_ANAGLYPH),
+      {"stereo_anaglyph", stereo("", VTK_STEREO_ANAGLYPH).build, nullptr, wholeWays},
       stereo("stereo_interlaced", VTK_STEREO_INTERLACED),
       stereo("stereo_left", VTK_STEREO_LEFT),
       stereo("stereo_right", VTK_STEREO_RIGHT),
@@ -111,13 +111,15 @@ std::vector<Row> windowRows()
          stereo("", VTK_STEREO_ANAGLYPH).build(scene);
          scene.renderer->GetActiveCamera()->ParallelProjectionOn();
          scene.renderer->GetActiveCamera()->SetParallelScale(2.0);
-       }},
+       },
+       nullptr, wholeWays},
       {"stereo_anaglyph_of_glass",
        [](S scene)
        {
          stereo("", VTK_STEREO_ANAGLYPH).build(scene);
          addGlass(scene, {0, 1, 0}, {-0.4, 0.6, 1.0});
-       }},
+       },
+       nullptr, wholeWays},
       layers("layers", [](S, R) {}),
       layers("layers_depth_preserved", [](S, R above) { above->PreserveDepthBufferOn(); }),
       layers("layers_colour_preserved", [](S, R above) { above->PreserveColorBufferOn(); }),
