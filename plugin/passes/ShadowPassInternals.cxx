@@ -226,6 +226,17 @@ void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, R
   {
     this->AddMessage(error);
   }
+  const std::size_t unlit = state.Builder.countUnlit();
+  this->Remark.clear();
+  if (unlit > 0 && unlit == state.Builder.countMirrored())
+  {
+    this->AddMessage("no shadow shows on any surface: the lighting of all is off");
+  }
+  else if (unlit > 0)
+  {
+    this->Remark = "no shadow shows on " + state.Builder.getFirstUnlit() +
+                   (unlit > 1 ? " and " + std::to_string(unlit - 1) + " more" : "") + ": lighting is off";
+  }
 }
 
 //------------------------------------------------------------------------------

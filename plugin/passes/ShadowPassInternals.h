@@ -100,6 +100,7 @@ public:
   std::set<vtkProp*> Drawn; ///< of the last rendering; only to be compared with
   int Status = STATUS_NOT_RENDERED;
   std::string Message;
+  std::string Remark; ///< what may be meant to be so: told to who asks, and no warning
   std::set<std::string> ShaderMessages; ///< of shaders that have been built since ShaderTime
   std::set<shadow::CasterCuller::Skipped> Skipped;
   /// Props of the last rendering that no pixel shows the back of, and what has to be culled for it.

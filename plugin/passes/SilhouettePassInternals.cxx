@@ -67,7 +67,7 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, const v
   settings.leavesOutFlatFaces = self->LeaveOutFlatFaces;
   settings.splitsLargeFaces = self->SplitLargeFaces;
   settings.depthScale = self->DepthScale;
-  settings.lineWidth = self->LineWidth;
+  settings.lineWidth = self->LineWidth * state.Scale.update(renderer, window);
   settings.silhouette = self->SilhouetteEdges;
   settings.border = self->BorderEdges;
   settings.crease = self->CreaseEdges;

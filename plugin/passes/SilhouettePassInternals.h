@@ -10,6 +10,7 @@
 
 #include "OutlineEffect.h"
 #include "PassContext.h"
+#include "PictureScale.h"
 #include "SceneBuilder.h"
 #include "ScenePasses.h"
 #include "vtkSilhouettePass.h"
@@ -25,6 +26,7 @@ public:
     shadow::SceneBuilder Builder;
     shadow::OutlineEffect Effect;
     shadow::MessageFilter Messages;
+    shadow::PictureScale Scale;
 
     RendererState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window) : Context(renderer, window) {}
     ~RendererState() { this->Release(); }

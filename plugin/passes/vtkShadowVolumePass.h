@@ -241,7 +241,8 @@ public:
 
   /**
    * One line for each cause of a status other than OK, and one for a silhouette method that had to give way
-   * to another, which is no failure; empty otherwise. A new message is also a vtkWarningMacro, once.
+   * to another, which is no failure; empty otherwise. A new message is also a vtkWarningMacro, once. One line
+   * more tells that surfaces are drawn without lighting, on which no shadow shows.
    */
   std::string GetStatusMessage() const;
 

@@ -12,7 +12,9 @@ int vtkShadowVolumePass::GetStatus() const
 
 std::string vtkShadowVolumePass::GetStatusMessage() const
 {
-  return this->Internals->Message;
+  const std::string& message = this->Internals->Message;
+  const std::string& remark = this->Internals->Remark;
+  return message + (message.empty() || remark.empty() ? "" : "\n") + remark;
 }
 
 //------------------------------------------------------------------------------

@@ -78,7 +78,8 @@ public:
 
   ///@{
   /**
-   * Width of the lines in pixels, half of it on each side of the edge; 0.5 to 64. Default: 2.
+   * Width of the lines in pixels, half of it on each side of the edge; 0.5 to 64. Default: 2. In a picture that
+   * a vtkWindowToImageFilter with a scale or a vtkRenderLargeImage puts together from tiles, as many times that.
    */
   virtual void SetLineWidth(double width);
   virtual double GetLineWidthMinValue() { return 0.5; }

@@ -51,6 +51,7 @@ if(VTKSHADOW_HEADLESS)
     outlines/test_outline_drawn.cxx
     outlines/test_outline_faces.cxx
     outlines/test_outline_pass.cxx
+    outlines/test_outline_pictures.cxx
     outlines/test_outline_refusals.cxx
     outlines/test_outline_state.cxx
     outlines/test_outline_window_depth.cxx
@@ -58,7 +59,7 @@ if(VTKSHADOW_HEADLESS)
     outlines/test_outline_without_area.cxx)
   target_link_libraries(test_outline_pass PRIVATE
     shadow_outline_scene shadow_ball_scene shadow_effect shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
-    ${CMAKE_DL_LIBS})
+    VTK::FiltersHybrid ${CMAKE_DL_LIBS})
   vtk_module_autoinit(TARGETS test_outline_pass MODULES
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingImage VTK::RenderingLOD)
   gtest_discover_tests(test_outline_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)

@@ -178,8 +178,10 @@ TEST(PassReport, SettingsAreClampedAndPrinted)
   vtkNew<vtkShadowVolumePass> pass;
   pass->SetShadowIntensity(7.0);
   EXPECT_EQ(pass->GetShadowIntensity(), 1.0);
-  pass->SetSamples(0);
-  EXPECT_EQ(pass->GetSamples(), 1);
+  pass->SetSamples(-1);
+  EXPECT_EQ(pass->GetSamples(), 0);
+  pass->SetSamples(33);
+  EXPECT_EQ(pass->GetSamples(), 32);
   pass->SetStencilMethod(99);
   EXPECT_EQ(pass->GetStencilMethod(), vtkShadowVolumePass::STENCIL_ZFAIL);
   std::ostringstream text;
@@ -296,4 +298,32 @@ TEST(PassHidden, CasterOutsideTheView_StillShadows)
   scene.renderer->GetActiveCamera()->SetPosition(1.5, 0.6, 6.0);
   EXPECT_EQ(scene.compare().wrongCertain, 0u);
   EXPECT_GT(countValue(scene.renderMask(), 0), 400u);
+}
+
+TEST(PassReport, UnlitSurfaces_SaidInOneLine)
+{
+  BallScene scene;
+  const auto messages = MessageCounter::observe(scene.pass);
+  scene.renderMask();
+  EXPECT_EQ(scene.pass->GetStatusMessage(), "");
+  scene.table->GetProperty()->LightingOff();
+  scene.renderMask();
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK) << "it may be meant to be so";
+  EXPECT_EQ(scene.pass->GetStatusMessage(), "no shadow shows on vtkOpenGLActor in prop 1: lighting is off");
+  EXPECT_EQ(messages->warnings, 0);
+  vtkActor* more = scene.addMapper(scene.table->GetMapper());
+  more->GetProperty()->LightingOff();
+  scene.renderMask();
+  EXPECT_EQ(scene.pass->GetStatusMessage(),
+            "no shadow shows on vtkOpenGLActor in prop 1 and 1 more: lighting is off");
+  scene.ballActor->GetProperty()->LightingOff();
+  scene.renderMask();
+  EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_PARTIAL);
+  EXPECT_EQ(scene.pass->GetStatusMessage(), "no shadow shows on any surface: the lighting of all is off");
+  EXPECT_EQ(messages->warnings, 1);
+  scene.table->GetProperty()->LightingOn();
+  more->GetProperty()->LightingOn();
+  scene.ballActor->GetProperty()->LightingOn();
+  scene.renderMask();
+  EXPECT_EQ(scene.pass->GetStatusMessage(), "");
 }

@@ -15,7 +15,7 @@
 #include <vtkProperty.h>
 #include <vtkTexture.h>
 
-#include "../vtkShadowCompat.h"
+#include "../../vtkShadowCompat.h"
 
 #include <vtkCompositeDataDisplayAttributes.h>
 #if VTKSHADOW_VTK_AT_LEAST(9, 3)

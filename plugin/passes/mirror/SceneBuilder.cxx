@@ -87,6 +87,7 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
   this->triangles = 0;
   this->seenThrough = false;
   this->moreDrawn = false;
+  this->unlit = 0;
   this->propNumber = -1;
   root.clearChildren();
   // All props, not those that VTK's cullers left: a caster outside the view may shadow what is inside.
@@ -213,7 +214,11 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   if (!transform->getChildren().empty())
   {
     root.addChild(transform);
-    this->mirrored.insert(actor);
+    if (this->mirrored.insert(actor).second && !actor->GetProperty()->GetLighting())
+    {
+      this->firstUnlit = this->unlit == 0 ? transform->name : this->firstUnlit;
+      this->unlit += 1;
+    }
     this->seenThrough = this->seenThrough || letsThrough(actor);
     const auto unusable = std::count(placed.shown.begin(), placed.shown.end(), nullptr);
     this->moreDrawn = this->moreDrawn || unusable > 0 || hasLinesOrPoints(actor, drawn);

@@ -68,6 +68,12 @@ public:
   /// Data that cannot be used, one line each.
   const std::vector<std::string>& getErrors() const { return this->errors; }
 
+  /// Mirrored actors that VTK draws without lighting, so that no shadow shows on them: how many, and the first
+  /// one's name.
+  std::size_t countUnlit() const { return this->unlit; }
+  const std::string& getFirstUnlit() const { return this->firstUnlit; }
+  std::size_t countMirrored() const { return this->mirrored.size(); }
+
   /// Triangles of all mirrored actors, once for each path.
   std::size_t getTriangles() const { return this->triangles; }
 
@@ -114,6 +120,8 @@ private:
   std::size_t triangles = 0;
   bool seenThrough = false;
   bool moreDrawn = false;
+  std::size_t unlit = 0;
+  std::string firstUnlit;
   int propNumber = -1; ///< of the prop that is being mirrored
 };
 
