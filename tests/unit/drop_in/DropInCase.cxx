@@ -9,6 +9,7 @@
 #include <vtkAssemblyPath.h>
 #include <vtkFloatArray.h>
 #include <vtkHardwareSelector.h>
+#include <vtkImageData.h>
 #include <vtkLightCollection.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
@@ -21,10 +22,20 @@ namespace shadow::test
 namespace
 {
 
+int countSwitchedOn(vtkLightCollection* lights)
+{
+  int count = 0;
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    count += vtkLight::SafeDownCast(lights->GetItemAsObject(i))->GetSwitch() != 0 ? 1 : 0;
+  }
+  return count;
+}
+
 vtkSmartPointer<vtkRenderPass> makePass(Way way, const std::vector<vtkRenderer*>& renderers)
 {
   const auto shadows = vtkSmartPointer<vtkShadowVolumePass>::New();
-  shadows->SetShadowIntensity(way == NoCasters ? 1.0 : 0.0);
+  shadows->SetShadowIntensity(way == NoCasters || way == Shadowed ? 1.0 : 0.0);
   shadows->SetCompositing(way == Additive ? vtkShadowVolumePass::COMPOSITING_ADDITIVE
                                           : vtkShadowVolumePass::COMPOSITING_MASK);
   for (vtkRenderer* renderer : renderers)
@@ -47,7 +58,8 @@ vtkSmartPointer<vtkRenderPass> makePass(Way way, const std::vector<vtkRenderer*>
   return outlines;
 }
 
-void prepare(DropInScene& scene, const Row& row, const Way* way)
+/// @return our pass, if there is a way
+vtkSmartPointer<vtkRenderPass> prepare(DropInScene& scene, const Row& row, const Way* way)
 {
   row.build(scene);
   scene.renderer->ResetCameraClippingRange();
@@ -67,6 +79,7 @@ void prepare(DropInScene& scene, const Row& row, const Way* way)
       renderer->SetPass(ours);
     }
   }
+  return ours;
 }
 
 Picture read(vtkRenderWindow* window)
@@ -118,6 +131,8 @@ const char* toString(Way way)
     return "lines off";
   case LinesOffOverMask:
     return "lines off over mask";
+  case Shadowed:
+    return "shadowed";
   default:
     return "selection";
   }
@@ -152,6 +167,38 @@ Pictures draw(const Row& row, const Way* way, bool flat)
   return pictures;
 }
 
+Picture drawShadowed(const Row& row, const Picture& plain)
+{
+  constexpr Way way = Shadowed;
+  DropInScene scene;
+  const auto pass = prepare(scene, row, &way);
+  scene.window->Render();
+  Picture picture = read(scene.window);
+  int* size = scene.renderer->GetSize();
+  const bool isOneView = !scene.render && scene.passed.size() == 1 && scene.window->GetStereoRender() == 0 &&
+                         picture.depth.size() == static_cast<std::size_t>(size[0] * size[1]);
+  if (!isOneView)
+  {
+    return plain;
+  }
+  const int lights = countSwitchedOn(scene.renderer->GetLights());
+  for (int light = 0; light < lights; ++light)
+  {
+    vtkNew<vtkImageData> mask;
+    if (!static_cast<vtkShadowVolumePass*>(pass.GetPointer())->GetShadowMask(light, mask) ||
+        static_cast<std::size_t>(mask->GetNumberOfPoints()) != picture.depth.size())
+    {
+      return {};
+    }
+    const auto* reached = static_cast<const unsigned char*>(mask->GetScalarPointer());
+    for (std::size_t i = 0; i < picture.colour.size(); ++i)
+    {
+      picture.colour[i] = reached[i / 4] < 255 ? plain.colour[i] : picture.colour[i];
+    }
+  }
+  return picture;
+}
+
 Picture drawAfter(const Row& row, Way way)
 {
   DropInScene scene;
@@ -166,13 +213,7 @@ int countLights(const Row& row)
 {
   DropInScene scene;
   prepare(scene, row, nullptr);
-  vtkLightCollection* lights = scene.renderer->GetLights();
-  int count = 0;
-  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
-  {
-    count += vtkLight::SafeDownCast(lights->GetItemAsObject(i))->GetSwitch() != 0 ? 1 : 0;
-  }
-  return std::max(count, 1);
+  return std::max(countSwitchedOn(scene.renderer->GetLights()), 1);
 }
 
 std::ostream& operator<<(std::ostream& os, const Difference& difference)

@@ -26,11 +26,15 @@ enum Way : unsigned
   NoCasters = 4,         ///< vtkShadowVolumePass, no prop casts
   LinesOff = 8,          ///< vtkSilhouettePass, all three kinds of edges off
   LinesOffOverMask = 16, ///< the same, over a vtkShadowVolumePass with ShadowIntensity 0
-  Selecting = 32         ///< not drawn, but selected in, with either pass
+  Selecting = 32,        ///< not drawn, but selected in, with either pass
+  Shadowed = 64          ///< vtkShadowVolumePass as it is: the law holds where all lights reach
 };
-inline constexpr unsigned everyWay = Mask | Additive | NoCasters | LinesOff | LinesOffOverMask | Selecting;
+inline constexpr unsigned everyWay =
+    Mask | Additive | NoCasters | LinesOff | LinesOffOverMask | Selecting | Shadowed;
 /// All but the one that rounds for each light, which filters may enlarge.
 inline constexpr unsigned wholeWays = everyWay & ~Additive;
+/// Where pixels depend on others around them: filters carry shadows on.
+inline constexpr unsigned filteredWays = wholeWays & ~Shadowed;
 const char* toString(Way way);
 
 /// One row of the table: a scene that must look the same with our passes as without.
@@ -58,6 +62,12 @@ using Pictures = std::array<Picture, 2>;
 /// @param flat  shade all actors flat. A surface that looks away from a light is dark in a mask without
 /// casters as well, where VTK may light it by normals that were smoothed.
 Pictures draw(const Row& row, const Way* way, bool flat = false);
+
+/// A row's scene with shadows.
+/// @param plain  VTK alone
+/// @return the picture, with the colour of VTK's where a light's mask tells that it does not reach a pixel, or
+///         not all of it; all VTK's where it is made of several views, which have masks of their own
+Picture drawShadowed(const Row& row, const Picture& plain);
 
 /// The second picture of a row's scene when the first was drawn with a pass, which was taken off.
 Picture drawAfter(const Row& row, Way way);

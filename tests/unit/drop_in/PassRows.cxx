@@ -72,7 +72,7 @@ void setAbove(vtkRenderPass*) {}
 /// Two rows: a pass directly above ours, and with a camera pass between.
 template <class Above>
 void addAbove(std::vector<Row>& rows, const std::string& name, void (*fill)(DropInScene&) = build,
-              unsigned ways = wholeWays)
+              unsigned ways = filteredWays)
 {
   for (const bool camera : {false, true})
   {
@@ -172,7 +172,7 @@ std::vector<Row> filterRows()
   // vtkDepthOfFieldPass is left out: it does not draw the same picture twice.
   addAbove<vtkOutlineGlowPass>(rows, "outline_glow", buildGlowing);
   addAbove<vtkOpenGLFXAAPass>(rows, "fxaa_pass");
-  addAbove<vtkSSAOPass>(rows, "ssao_pass", build, everyWay);
+  addAbove<vtkSSAOPass>(rows, "ssao_pass", build, everyWay & ~Shadowed);
   addAbove<vtkSimpleMotionBlurPass>(rows, "motion_blur");
   addAbove<vtkPanoramicProjectionPass>(rows, "panorama");
   return rows;

@@ -155,12 +155,13 @@ std::vector<Row> settingRows()
          scene.renderer->UseDepthPeelingForVolumesOn();
          addVolume(scene, vtkNew<vtkOpenGLGPUVolumeRayCastMapper>(), false);
        }},
-      {"fxaa", [](R scene) { scene.renderer->UseFXAAOn(), addWires(scene); }, nullptr, wholeWays},
-      {"fxaa_and_glass", [](R scene) { scene.renderer->UseFXAAOn(), addGlasses(scene); }, nullptr, wholeWays},
+      {"fxaa", [](R scene) { scene.renderer->UseFXAAOn(), addWires(scene); }, nullptr, filteredWays},
+      {"fxaa_and_glass", [](R scene) { scene.renderer->UseFXAAOn(), addGlasses(scene); }, nullptr, filteredWays},
       {"ssao_narrow", [](R scene) { occlude(scene, 0.2); }},
       {"ssao_wide", [](R scene) { occlude(scene, 1.5); }},
       {"ssao_blurred", [](R scene) { occlude(scene, 0.5, true); }},
-      {"ssao_and_glass", [](R scene) { occlude(scene, 0.5), addGlasses(scene); }},
+      {"ssao_and_glass", [](R scene) { occlude(scene, 0.5), addGlasses(scene); }, nullptr,
+       everyWay & ~Shadowed},
       {"hidden_lines_removed", [](R scene) { scene.renderer->UseHiddenLineRemovalOn(), addWires(scene); }},
       {"hidden_lines_removed_without_wires", [](R scene) { scene.renderer->UseHiddenLineRemovalOn(); }},
       {"ssao_and_hidden_lines_removed",

@@ -101,6 +101,17 @@ TEST_P(DropIn, NoCasters_FlatSurfaces_PictureIsVTKs)
   }
 }
 
+// Outside of shadows the picture is VTK's with shadows, too.
+TEST_P(DropIn, WithShadows_PictureIsVTKsOutsideOfThem)
+{
+  if (isTested(GetParam(), Shadowed))
+  {
+    const Picture plain = draw(GetParam(), nullptr)[0];
+    const Difference difference = compare(plain, drawShadowed(GetParam(), plain));
+    EXPECT_TRUE(difference.none()) << difference;
+  }
+}
+
 class DropInTakenOff : public testing::TestWithParam<Row>
 {
 };
