@@ -40,8 +40,6 @@ if(VTKSHADOW_HEADLESS)
     VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingFreeType VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)
   gtest_discover_tests(test_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
-  include(drop_in.cmake)
-
   add_executable(test_outline_pass
     outlines/OutlineCase.cxx
     outlines/RefusingGL.cxx
@@ -153,4 +151,5 @@ if(VTKSHADOW_HEADLESS)
   set_property(TEST GPUMethods.OnGL32 PROPERTY ENVIRONMENT
     MESA_GL_VERSION_OVERRIDE=3.2 MESA_GLSL_VERSION_OVERRIDE=150
     "MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader5 -GL_ARB_sample_shading -GL_ARB_clip_control")
+  include(drop_in.cmake)
 endif()
