@@ -9,7 +9,7 @@ namespace
 
 int texelLimit = 0; ///< 0: the GL's own
 
-using GetIntegers = void (*)(GLenum, GLint*);
+using GetIntegers = void (GLAPIENTRY*)(GLenum, GLint*);
 
 decltype(glCheckFramebufferStatus) checkFramebuffer = nullptr;
 
@@ -19,19 +19,21 @@ GLenum GLAPIENTRY refuseFramebuffer(GLenum)
 }
 
 decltype(glGetShaderiv) askShader = nullptr;
+GLenum refusedType = 0; ///< of shaders; 0: all
 
 void GLAPIENTRY refuseShader(GLuint shader, GLenum name, GLint* value)
 {
   askShader(shader, name, value);
-  *value = name == GL_COMPILE_STATUS ? GL_FALSE : *value;
+  GLint type = 0;
+  askShader(shader, GL_SHADER_TYPE, &type);
+  if (name == GL_COMPILE_STATUS && (refusedType == 0 || refusedType == static_cast<GLenum>(type)))
+  {
+    *value = GL_FALSE;
+  }
 }
 
-} // namespace
-
-// Stands before the GL's own, for the libraries as well.
-extern "C" void GLAPIENTRY glGetIntegerv(GLenum name, GLint* values)
+void getLimited(GetIntegers ask, GLenum name, GLint* values)
 {
-  static const auto ask = reinterpret_cast<GetIntegers>(dlsym(RTLD_NEXT, "glGetIntegerv"));
   ask(name, values);
   if (name == GL_MAX_TEXTURE_BUFFER_SIZE && texelLimit > 0)
   {
@@ -39,17 +41,45 @@ extern "C" void GLAPIENTRY glGetIntegerv(GLenum name, GLint* values)
   }
 }
 
+#ifdef glGetIntegerv
+// A loader that has a pointer for every function.
+GetIntegers askIntegers = nullptr;
+
+void GLAPIENTRY getIntegers(GLenum name, GLint* values)
+{
+  getLimited(askIntegers, name, values);
+}
+#endif
+
+} // namespace
+
+#ifndef glGetIntegerv
+// Stands before the GL's own, for the libraries as well.
+extern "C" void GLAPIENTRY glGetIntegerv(GLenum name, GLint* values)
+{
+  static const auto ask = reinterpret_cast<GetIntegers>(dlsym(RTLD_NEXT, "glGetIntegerv"));
+  getLimited(ask, name, values);
+}
+#endif
+
 namespace shadow::test
 {
 
 TexelLimit::TexelLimit(int texels)
 {
   texelLimit = texels;
+#ifdef glGetIntegerv
+  askIntegers = glGetIntegerv;
+  glGetIntegerv = &getIntegers;
+#endif
 }
 
 TexelLimit::~TexelLimit()
 {
   texelLimit = 0;
+#ifdef glGetIntegerv
+  glGetIntegerv = askIntegers;
+#endif
 }
 
 FramebufferRefusal::FramebufferRefusal()
@@ -63,8 +93,9 @@ FramebufferRefusal::~FramebufferRefusal()
   glCheckFramebufferStatus = checkFramebuffer;
 }
 
-ShaderRefusal::ShaderRefusal()
+ShaderRefusal::ShaderRefusal(unsigned int type)
 {
+  refusedType = type;
   askShader = glGetShaderiv;
   glGetShaderiv = &refuseShader;
 }

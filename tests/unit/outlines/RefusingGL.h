@@ -4,6 +4,7 @@ namespace shadow::test
 {
 
 /// While it lives, the GL says that shaders can look up so many texels of a buffer and no more.
+/// @pre VTK has loaded the GL's functions
 class TexelLimit
 {
 public:
@@ -24,12 +25,13 @@ public:
   FramebufferRefusal& operator=(const FramebufferRefusal&) = delete;
 };
 
-/// While it lives, no shader that is new compiles.
+/// While it lives, no shader that is new compiles, of a type or at all.
 /// @pre VTK has loaded the GL's functions
 class ShaderRefusal
 {
 public:
-  ShaderRefusal();
+  /// @param type  such as GL_COMPUTE_SHADER; 0: all
+  explicit ShaderRefusal(unsigned int type = 0);
   ~ShaderRefusal();
   ShaderRefusal(const ShaderRefusal&) = delete;
   ShaderRefusal& operator=(const ShaderRefusal&) = delete;
