@@ -1,7 +1,7 @@
 #ifndef vtkShadowCompat_h
 #define vtkShadowCompat_h
 
-// Everything that differs between VTK 9.1 and 9.6, in one place. The GL function loader is in
+// Everything that differs between VTK 9.1 and 9.7, in one place. The GL function loader is in
 // nodes/drawable/gl/OpenGL.h.
 
 #include <vtkVersionMacros.h>
@@ -15,6 +15,9 @@
 #else
 #define VTKSHADOW_COMPOSITE_MAPPER vtkCompositePolyDataMapper2
 #endif
+
+// 9.7 keeps a renderer's props in a vector instead of an array.
+#define VTKSHADOW_PROPS_ARE_A_VECTOR VTKSHADOW_VTK_AT_LEAST(9, 7)
 
 // 9.4 loads GL functions through glad, and lets a window say how.
 #define VTKSHADOW_WINDOW_LOADS_SYMBOLS VTKSHADOW_VTK_AT_LEAST(9, 4)

@@ -13,16 +13,27 @@ in float nearDistanceOfCorner[];
 out float nearDistance;
 #endif
 
+// Constant indices, see volume.geom.
+void handOn(vec4 position, float ofNear)
+{
+  gl_Position = position;
+  sideBits = sideBitsOfCorner[2];
+#ifdef SHADOW_PARALLEL
+  nearDistance = ofNear;
+#endif
+  EmitVertex();
+}
+
 void main()
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    gl_Position = gl_in[i].gl_Position;
-    sideBits = sideBitsOfCorner[2];
 #ifdef SHADOW_PARALLEL
-    nearDistance = nearDistanceOfCorner[i];
+  handOn(gl_in[0].gl_Position, nearDistanceOfCorner[0]);
+  handOn(gl_in[1].gl_Position, nearDistanceOfCorner[1]);
+  handOn(gl_in[2].gl_Position, nearDistanceOfCorner[2]);
+#else
+  handOn(gl_in[0].gl_Position, 0.0);
+  handOn(gl_in[1].gl_Position, 0.0);
+  handOn(gl_in[2].gl_Position, 0.0);
 #endif
-    EmitVertex();
-  }
   EndPrimitive();
 }

@@ -100,7 +100,7 @@ public:
   /// @return as renderLines()
   bool blend(vtkOpenGLRenderWindow* window, const Look& look, bool wait, std::string& error);
 
-  /// Meshes whose lines the GL cannot draw, one line each.
+  /// What the GL cannot do for lines, one line each: a mesh too large, a window's depth that cannot be had.
   const std::vector<std::string>& getErrors() const { return this->errors; }
 
   const Statistics& getStatistics() const { return this->statistics; }
@@ -171,7 +171,7 @@ private:
   OutlineTarget target;
   WindowDepth windowDepth;
   bool keepsDepth = false;         ///< Settings::keepsDepth of the lines that were rendered last
-  glm::vec2 depthToWindow{0.0f}; ///< windowFromDepth() of these
+  glm::vec2 depthToWindow{0.0f};   ///< windowFromDepth() of these
   DrawableCache drawables;
   DepthRange depthRange;
   int margin = 0; ///< pixels by which the target is wider than the view, on each side

@@ -29,7 +29,7 @@ int replaceAll(std::string& text, const std::string& from, const std::string& to
   return replaced;
 }
 
-// The lines of VTK's Blinn-Phong lighting; unchanged from VTK 9.1 to 9.6.
+// The lines of VTK's Blinn-Phong lighting; unchanged from VTK 9.1 to 9.7.
 int substituteBlinnPhong(std::string& shader, const std::string& light)
 {
   const std::string factor = " * shadowFactorOfPass(" + light + ") * lightColor" + light + ");";
@@ -85,8 +85,8 @@ bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
     replaceAll(fragmentShader, "vec4(ambientColor + diffuse + specular, opacity)",
                "vec4((shadowPass < 0 ? ambientColor : vec3(0.0)) + diffuse + specular, opacity)");
   }
-  // A shader that is not a sum over lights is drawn in the ambient pass and adds nothing in the lighting passes.
-  // Alpha tells there that the surface shows.
+  // A shader that is not a sum over lights is drawn in the ambient pass and adds nothing in the lighting
+  // passes. Alpha tells there that the surface shows.
   const std::size_t end = fragmentShader.rfind('}');
   if (end != std::string::npos)
   {
@@ -97,15 +97,16 @@ bool LightingHook::substitute(std::string& fragmentShader, bool mirrored) const
   if (main != std::string::npos)
   {
     fragmentShader.insert(fragmentShader.find('{', main) + 1, "\n  readShadowMask();\n");
-    const bool coverage = this->knowsCoverage && this->samples > 1;
+    // VTK writes the version in place of this line; what is not VTK's may not have it.
+    const std::string first = "//VTK::System::Dec\n";
+    const bool coverage = this->knowsCoverage && this->samples > 1 && fragmentShader.find(first) == 0;
     fragmentShader.insert(main, "#define SHADOW_SAMPLES " + std::to_string(this->samples) +
                                     "\n#define SHADOW_MATCH " + (mirrored ? "0" : "1") +
                                     "\n#define SHADOW_COVERAGE " + (coverage ? "1\n" : "0\n") +
                                     shaders::shadowFactor_glsl + "\n");
     if (coverage)
     {
-      // Behind the first line, in place of which VTK writes the version.
-      fragmentShader.insert(fragmentShader.find('\n') + 1, "#extension GL_ARB_gpu_shader5 : enable\n");
+      fragmentShader.insert(first.size(), "#extension GL_ARB_gpu_shader5 : enable\n");
     }
   }
   return blinnPhong + physicallyBased > 0 || !usesSceneLights(fragmentShader);

@@ -31,6 +31,7 @@ struct Place
   bool found = false;
   bool othersBeside = false; ///< others beside it, or beside a pass above it, draw what is not opaque
   bool camera = false;       ///< a pass above it sets viewport and background
+  bool drawnBefore = false;  ///< a pass before it in a sequence has drawn something
 };
 
 class PassSearch
@@ -78,11 +79,13 @@ private:
     }
     for (int i = 0; i < count; ++i)
     {
-      const Place found = this->find(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), place);
+      auto* item = vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i));
+      const Place found = this->find(item, place);
       if (found.found)
       {
         return found;
       }
+      place.drawnBefore = place.drawnBefore || (item != nullptr && item->IsA("vtkLightsPass") == 0);
     }
     return {};
   }
@@ -116,10 +119,14 @@ bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass)
   return PassSearch(pass).find(renderer->GetPass(), {}).othersBeside;
 }
 
-bool needsCamera(vtkRenderer* renderer, vtkRenderPass* pass)
+CameraNeed findCameraNeed(vtkRenderer* renderer, vtkRenderPass* pass)
 {
   const Place place = PassSearch(pass).find(renderer->GetPass(), {});
-  return place.found && !place.othersBeside && !place.camera;
+  if (!place.found || place.othersBeside || place.camera)
+  {
+    return CameraNeed::None;
+  }
+  return place.drawnBefore ? CameraNeed::Viewport : CameraNeed::All;
 }
 
 bool hasNoPixels(vtkRenderer* renderer)

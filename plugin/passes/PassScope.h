@@ -12,9 +12,14 @@ namespace shadow
 /// passes.
 bool othersDrawTheRest(vtkRenderer* renderer, vtkRenderPass* pass);
 
-/// Whether a pass that draws a complete scene has to set viewport and background itself: it stands below others
-/// of VTK's of which none does.
-bool needsCamera(vtkRenderer* renderer, vtkRenderPass* pass);
+/// What a pass that draws a complete scene has to do about viewport and background itself.
+enum class CameraNeed
+{
+  None,     ///< a pass above does it, or it is not known
+  Viewport, ///< it stands below others of VTK's of which none does, but beside one that has drawn before
+  All       ///< the same, and it is the first to draw
+};
+CameraNeed findCameraNeed(vtkRenderer* renderer, vtkRenderPass* pass);
 
 /// True for a viewport without width or height, of which VTK draws nothing.
 bool hasNoPixels(vtkRenderer* renderer);

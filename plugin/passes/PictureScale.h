@@ -7,11 +7,12 @@ class vtkOpenGLRenderer;
 namespace shadow
 {
 
-/// How many times as large as the window the picture is that a frame is a part of, so that widths in pixels keep
-/// their share of it. 1 but for pictures that are put together from tiles.
+/// How many times as large as the window the picture is that a frame is a part of, so that widths in pixels
+/// keep their share of it. 1 but for pictures that are put together from tiles.
 ///
-/// A vtkWindowToImageFilter tells the window its scale. A vtkRenderLargeImage tells nobody: it narrows the view
-/// and moves the camera's window centre over an even grid, beginning at the lower left, where nobody else looks.
+/// A vtkWindowToImageFilter tells the window its scale. A vtkRenderLargeImage tells nobody: it narrows the
+/// view and moves the camera's window centre over an even grid, beginning at the lower left, where nobody
+/// else looks.
 class PictureScale
 {
 public:

@@ -54,20 +54,25 @@ bool drawsIntoWindow(vtkOpenGLRenderWindow* window)
   return own == nullptr || own->GetFBOIndex() == static_cast<unsigned int>(bound);
 }
 
-/// Sets viewport and scissor for a framebuffer that a pass above has bound: it tells its size with the state, or has
-/// set the viewport.
-void setWholeFramebuffer(vtkOpenGLState* state, const vtkRenderState* s)
+/// Sets viewport and scissor: the renderer's in the window, or all of a framebuffer that a pass above has
+/// bound, which tells its size with the state or has set the viewport.
+void setWholeView(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window, const vtkRenderState* s)
 {
+  vtkOpenGLState* state = window->GetState();
   int view[4] = {0, 0, 0, 0};
-  if (vtkFrameBufferObjectBase* framebuffer = s->GetFrameBuffer())
+  if (drawsIntoWindow(window))
+  {
+    renderer->GetTiledSizeAndOrigin(&view[2], &view[3], &view[0], &view[1]);
+  }
+  else if (vtkFrameBufferObjectBase* framebuffer = s->GetFrameBuffer())
   {
     framebuffer->GetLastSize(view[2], view[3]);
-    state->vtkglViewport(view[0], view[1], view[2], view[3]);
   }
   else
   {
     state->vtkglGetIntegerv(GL_VIEWPORT, view);
   }
+  state->vtkglViewport(view[0], view[1], view[2], view[3]);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(view[0], view[1], view[2], view[3]);
 }
@@ -82,10 +87,10 @@ int drawPart(vtkRenderPass* pass, const vtkRenderState* s)
 
 ScenePasses::ScenePasses() : opaqueByRenderer(vtkSmartPointer<OpaqueByRenderer>::New()) {}
 
-bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
-                                int& rendered)
+bool ScenePasses::renderInstead(vtkRenderPass* pass, bool complete, vtkOpenGLRenderer* renderer,
+                                const vtkRenderState* s, int& rendered)
 {
-  if (!this->hasCamera && this->drawWithCamera(pass, renderer, s))
+  if (!this->hasCamera && this->drawWithCamera(pass, complete, renderer, s))
   {
     return true;
   }
@@ -97,10 +102,12 @@ bool ScenePasses::renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer
   return false;
 }
 
-bool ScenePasses::drawWithCamera(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s)
+bool ScenePasses::drawWithCamera(vtkRenderPass* pass, bool complete, vtkOpenGLRenderer* renderer,
+                                 const vtkRenderState* s)
 {
   const bool isRenderers = renderer->GetPass() == pass;
-  if (!isRenderers && !needsCamera(renderer, pass))
+  const CameraNeed need = isRenderers ? CameraNeed::All : findCameraNeed(renderer, pass);
+  if (need == CameraNeed::None)
   {
     return false;
   }
@@ -109,22 +116,31 @@ bool ScenePasses::drawWithCamera(vtkRenderPass* pass, vtkOpenGLRenderer* rendere
   const vtkOpenGLState::ScopedglViewport viewport(state);
   const vtkOpenGLState::ScopedglScissor scissor(state);
   const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  if (isRenderers || drawsIntoWindow(window))
+  const bool erases = need == CameraNeed::All && (complete || isRenderers);
+  if (erases && drawsIntoWindow(window))
   {
     // Viewport, scissor, background, and the window's stereo.
     renderer->GetActiveCamera()->Render(renderer);
   }
   else
   {
-    setWholeFramebuffer(state, s);
-    if (window->GetErase() != 0 && renderer->GetErase() != 0)
+    setWholeView(renderer, window, s);
+    if (erases && window->GetErase() != 0 && renderer->GetErase() != 0)
     {
       renderer->Clear();
     }
   }
+  if (isRenderers)
+  {
+    RendererAccess::setNumberOfPropsRendered(renderer, 0);
+  }
   this->hasCamera = true;
   pass->Render(s);
   this->hasCamera = false;
+  if (isRenderers)
+  {
+    RendererAccess::setNumberOfPropsRendered(renderer, pass->GetNumberOfRenderedProps());
+  }
   return true;
 }
 
@@ -136,7 +152,8 @@ vtkRenderPass* ScenePasses::chooseOpaque(const vtkRenderState* s, bool complete)
       vtkHiddenLineRemovalPass::WireframePropsExist(s->GetPropArray(), s->GetPropArrayCount());
   const bool wantsMore = hidesLines || renderer->GetUseSSAO();
   // Into a framebuffer of another pass the renderer's own would not fit.
-  return complete && wantsMore && s->GetFrameBuffer() == nullptr && RendererAccess::hasAllProps(renderer, s)
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  return complete && wantsMore && drawsIntoWindow(window) && RendererAccess::hasAllProps(renderer, s)
              ? this->opaqueByRenderer.GetPointer()
              : this->opaque.GetPointer();
 }
@@ -146,25 +163,26 @@ int ScenePasses::drawLights(const vtkRenderState* s)
   return drawPart(this->lights, s);
 }
 
-int ScenePasses::drawTranslucent(vtkOpenGLRenderer* renderer, const vtkRenderState* s)
-{
-  if (!RendererAccess::hasAllProps(renderer, s))
-  {
-    return drawPart(this->translucent, s);
-  }
-  const int before = renderer->GetNumberOfPropsRendered();
-  renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
-  return renderer->GetNumberOfPropsRendered() - before;
-}
-
 int ScenePasses::drawRest(const vtkRenderState* s)
 {
   vtkOpenGLRenderer* renderer = rendererOf(s);
   vtkProp** props = s->GetPropArray();
   const bool hasTranslucent = std::any_of(props, props + s->GetPropArrayCount(), [](vtkProp* prop)
                                           { return prop->HasTranslucentPolygonalGeometry() != 0; });
-  int rendered = hasTranslucent ? this->drawTranslucent(renderer, s) : 0;
-  if (renderer->GetUseFXAA() && s->GetFrameBuffer() == nullptr)
+  const bool byRenderer = hasTranslucent && RendererAccess::hasAllProps(renderer, s);
+  int rendered = 0;
+  if (byRenderer)
+  {
+    const int before = renderer->GetNumberOfPropsRendered();
+    renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
+    rendered = renderer->GetNumberOfPropsRendered() - before;
+  }
+  else if (hasTranslucent)
+  {
+    rendered = drawPart(this->translucent, s);
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (renderer->GetUseFXAA() && drawsIntoWindow(window))
   {
     vtkOpenGLFXAAFilter* filter = RendererAccess::getFXAAFilter(renderer);
     if (renderer->GetFXAAOptions() != nullptr)
@@ -173,8 +191,8 @@ int ScenePasses::drawRest(const vtkRenderState* s)
     }
     filter->Execute(renderer);
   }
-  // Volumes may have been peeled with the translucent props.
-  if (!hasTranslucent || !renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes())
+  // The renderer peels volumes with what is translucent, if it is told to.
+  if (!byRenderer || !renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes())
   {
     rendered += drawPart(this->volumetric, s);
   }

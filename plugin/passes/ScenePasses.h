@@ -23,15 +23,16 @@ class ScenePasses
 public:
   ScenePasses();
 
-  /// Does what comes before a pass draws the scene, and has it called back: sets viewport and background where
-  /// nothing above it has, and leaves picking to the selector, which draws all props itself.
+  /// Does what comes before a pass draws the scene, and has it called back: sets viewport and background
+  /// where nothing above it has, and leaves picking to the selector, which draws all props itself.
+  /// @param complete  the pass draws a scene, and not something over what is there
   /// @param rendered  props that were drawn
   /// @return true when nothing is left to do
-  bool renderInstead(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
+  bool renderInstead(vtkRenderPass* pass, bool complete, vtkOpenGLRenderer* renderer, const vtkRenderState* s,
                      int& rendered);
 
-  /// What to draw opaque props with: VTK's opaque pass, or one that has the renderer do it, where its UseSSAO or
-  /// UseHiddenLineRemoval ask for more.
+  /// What to draw opaque props with: VTK's opaque pass, or one that has the renderer do it, where its UseSSAO
+  /// or UseHiddenLineRemoval ask for more.
   /// @param complete  the flags count
   vtkRenderPass* chooseOpaque(const vtkRenderState* s, bool complete) const;
 
@@ -47,8 +48,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool drawWithCamera(vtkRenderPass* pass, vtkOpenGLRenderer* renderer, const vtkRenderState* s);
-  int drawTranslucent(vtkOpenGLRenderer* renderer, const vtkRenderState* s);
+  bool drawWithCamera(vtkRenderPass* pass, bool complete, vtkOpenGLRenderer* renderer,
+                      const vtkRenderState* s);
 
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;

@@ -5,93 +5,7 @@
 #include <vtkOpenGLState.h>
 
 #include "OpenGL.h"
-#include "ShadowVolumeGPUEffect.h"
 #include "Stopwatch.h"
-
-namespace
-{
-
-constexpr int mostSamples = 32; ///< a pixel of the mask
-
-} // namespace
-
-//------------------------------------------------------------------------------
-vtkShadowVolumePass::vtkInternals::RendererState::~RendererState()
-{
-  this->Release();
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowVolumePass::vtkInternals::RendererState::Release()
-{
-  this->Context.release(
-      [this](bool contextLost)
-      {
-        this->Effect->release(contextLost);
-        this->Lights.release(contextLost);
-      });
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
-{
-  this->Context.acquire(
-      [this]
-      {
-        this->Effect->release(true);
-        this->Lights.release(true);
-        this->Refusals.clear();
-      });
-}
-
-//------------------------------------------------------------------------------
-shadow::SilhouetteMethod
-vtkShadowVolumePass::vtkInternals::RendererState::ChooseMethod(int wanted, int samples, std::string& note)
-{
-  if (this->Wanted != wanted)
-  {
-    this->Wanted = wanted;
-    this->Refusals.clear();
-  }
-  auto method = static_cast<shadow::SilhouetteMethod>(wanted);
-  std::string reason;
-  while (true)
-  {
-    const auto refusal = this->Refusals.find(method);
-    const std::string missing = refusal != this->Refusals.end()
-                                    ? refusal->second
-                                    : shadow::findMissing(this->Effect->getCapabilities(), method, samples);
-    if (refusal == this->Refusals.end() && missing.empty())
-    {
-      break;
-    }
-    reason += (reason.empty() ? "" : "; ") + toString(method) + ": " + missing;
-    method = shadow::nextBest(method);
-  }
-  note = reason.empty() ? "" : reason + "; silhouettes are found by " + toString(method) + " instead";
-  return method;
-}
-
-//------------------------------------------------------------------------------
-void vtkShadowVolumePass::vtkInternals::RendererState::ChooseEffect(shadow::SilhouetteMethod method)
-{
-  const auto* current = dynamic_cast<const shadow::ShadowVolumeGPUEffect*>(this->Effect.get());
-  const bool suits =
-      shadow::isOnGPU(method) ? current != nullptr && current->getMethod() == method : current == nullptr;
-  if (suits)
-  {
-    return;
-  }
-  this->Effect->release(false);
-  if (shadow::isOnGPU(method))
-  {
-    this->Effect = std::make_shared<shadow::ShadowVolumeGPUEffect>(method);
-  }
-  else
-  {
-    this->Effect = std::make_shared<shadow::ShadowVolumeEffect>();
-  }
-}
 
 //------------------------------------------------------------------------------
 vtkShadowVolumePass::vtkInternals::RendererState&
@@ -112,6 +26,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, c
   this->Drawn = shadow::drawnProps(s);
   this->Status = STATUS_OK;
   this->Message.clear();
+  this->Remark.clear();
   this->Skipped.clear();
   this->HiddenBacks.clear();
   this->ShadowLights = 0;
@@ -136,7 +51,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, c
   {
     this->AddMessage(message);
   }
-  for (const std::string& message : this->ShaderMessages)
+  for (const std::string& message : state.ShaderMessages)
   {
     this->AddMessage(message);
   }
@@ -149,14 +64,17 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, c
   this->Hook.strength = lights.attenuation;
   std::transform(this->Hook.strength.begin(), this->Hook.strength.end(), this->Hook.strength.begin(),
                  [&](float attenuation) { return static_cast<float>(self->ShadowIntensity) * attenuation; });
-  const int samples = state.Effect->getTarget().getSamples();
-  const bool knowsCoverage = state.Effect->getCapabilities().sampleCoverage;
-  if (samples != this->Hook.samples || knowsCoverage != this->Hook.knowsCoverage)
+  this->Hook.samples = state.Effect->getTarget().getSamples();
+  this->Hook.knowsCoverage = state.Effect->getCapabilities().sampleCoverage;
+  if (this->Hook.samples != state.ShaderSamples)
   {
-    this->Hook.samples = samples;
-    this->Hook.knowsCoverage = knowsCoverage;
-    this->ShaderTime.Modified();
-    this->ShaderMessages.clear();
+    state.ShaderSamples = this->Hook.samples;
+    state.ShaderTime.Modified();
+    state.ShaderMessages.clear();
+  }
+  if (self->Compositing == COMPOSITING_MASK)
+  {
+    state.Lights.release();
   }
   return true;
 }
@@ -169,12 +87,7 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
   settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
   settings.countBuffer = static_cast<shadow::CountBuffer>(self->CountBuffer);
   settings.coplanarTolerance = self->CoplanarTolerance;
-  settings.samples = self->Samples;
-  if (settings.samples == 0)
-  {
-    glGetIntegerv(GL_SAMPLES, &settings.samples);
-    settings.samples = std::clamp(settings.samples, 1, mostSamples);
-  }
+  settings.samples = this->ChooseSamples(self->Samples, state);
   settings.waitAfterStages = self->MeasureStages;
   while (true)
   {
@@ -192,15 +105,16 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
       this->AddNote(note);
       return true;
     }
-    if (self->Samples == 0 && settings.samples > 1)
-    {
-      settings.samples = 1;
-      continue;
-    }
     if (!shadow::isOnGPU(settings.silhouetteMethod))
     {
       // It was not the method's fault.
       state.Refusals.clear();
+      if (self->Samples == 0 && settings.samples > 1)
+      {
+        state.RefusedSamples = settings.samples;
+        settings.samples = this->ChooseSamples(self->Samples, state);
+        continue;
+      }
       this->Message.clear();
       this->AddMessage(error);
       this->Status = STATUS_NOT_SUPPORTED;
@@ -219,15 +133,14 @@ void vtkShadowVolumePass::vtkInternals::UpdateScene(vtkShadowVolumePass* self, R
   settings.isCasting = [this](vtkProp* prop) { return !this->NotCasting.has(prop); };
   if (state.Builder.update(state.Context.getRenderer(), settings, *state.Effect))
   {
-    this->ShaderTime.Modified();
-    this->ShaderMessages.clear();
+    state.ShaderTime.Modified();
+    state.ShaderMessages.clear();
   }
   for (const std::string& error : state.Builder.getErrors())
   {
     this->AddMessage(error);
   }
   const std::size_t unlit = state.Builder.countUnlit();
-  this->Remark.clear();
   if (unlit > 0 && unlit == state.Builder.countMirrored())
   {
     this->AddMessage("no shadow shows on any surface: the lighting of all is off");

@@ -43,6 +43,11 @@ public:
     std::map<shadow::SilhouetteMethod, std::string> Refusals;
     int Wanted = -1; ///< what Refusals belong to
 
+    vtkTimeStamp ShaderTime;              ///< when the text put into VTK's shaders changed last
+    std::set<std::string> ShaderMessages; ///< of shaders that have been built since
+    int ShaderSamples = 0;                ///< of the mask, in that text
+    int RefusedSamples = 0;               ///< of the mask, that the GL could not do; 0: none
+
     /// The method to use for the one that is wanted: that, or the next best that the GL can do.
     /// @param note  one line when it is not the wanted one
     shadow::SilhouetteMethod ChooseMethod(int wanted, int samples, std::string& note);
@@ -73,15 +78,15 @@ public:
 
   /// Makes ready for adding lights one by one, to what @p opaque has drawn.
   /// @return false, with a message, when that cannot be
-  bool BeginLights(const vtkRenderState* s, const vtkRenderPass* opaque);
+  bool BeginLights(const vtkRenderPass* opaque);
 
   /// Draws what each light adds to the picture of AmbientOnly, and adds it.
   void AddLights(const vtkRenderState* s, vtkRenderPass* opaque);
 
   /// Has a prop that is about to be drawn show where it does in the picture: of surfaces that coincide one.
   /// Does nothing but in a lighting pass.
-  /// @param asked  its shader tells what the light adds; others add nothing where they show
-  void BlendLight(bool asked);
+  /// @param addsLight  its shader tells what the light adds; others add nothing where they show
+  void BlendLight(bool addsLight);
 
   void Release(vtkWindow* window);
   void AddMessage(const std::string& message); ///< of something left out
@@ -93,7 +98,6 @@ public:
   std::function<void()> AfterOpaque; ///< called once what is opaque has been drawn
 
   shadow::LightingHook Hook;
-  vtkTimeStamp ShaderTime; ///< when the text put into VTK's shaders changed last
   shadow::RendererStates<RendererState> Renderers;
   RendererState* Current = nullptr; ///< of the last rendering
 
@@ -101,14 +105,13 @@ public:
   int Status = STATUS_NOT_RENDERED;
   std::string Message;
   std::string Remark; ///< what may be meant to be so: told to who asks, and no warning
-  std::set<std::string> ShaderMessages; ///< of shaders that have been built since ShaderTime
   std::set<shadow::CasterCuller::Skipped> Skipped;
   /// Props of the last rendering that no pixel shows the back of, and what has to be culled for it.
   std::map<vtkProp*, shadow::FaceCulling> HiddenBacks;
   int ShadowLights = 0;
   int UsedMethod = -1; ///< SilhouetteMethods; none before the first rendering
   int LightingPasses = 0;
-  bool FirstShows = true; ///< of surfaces that coincide, the one that VTK draws first
+  bool FirstShows = false; ///< of surfaces that coincide, the one that VTK draws first; else the last
   double SceneMilliseconds = 0.0;
   double LightingMilliseconds = 0.0;
 
@@ -116,6 +119,9 @@ private:
   RendererState& GetState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window);
   void UpdateScene(vtkShadowVolumePass* self, RendererState& state);
   bool RenderMask(vtkShadowVolumePass* self, RendererState& state, const shadow::LightList& lights);
+
+  /// Samples a pixel of the mask: those that are set, or as many as what is drawn into has.
+  int ChooseSamples(int wanted, const RendererState& state);
 
   void CollectHiddenBacks(const RendererState& state);
 };

@@ -3,27 +3,18 @@
 
 #include <algorithm>
 
-#include <vtkActor.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderState.h>
 
-#include "DrawnSurfaces.h"
 #include "OpenGL.h"
 
 //------------------------------------------------------------------------------
-bool vtkShadowVolumePass::vtkInternals::BeginLights(const vtkRenderState* s,
-                                                    const vtkRenderPass* opaque)
+bool vtkShadowVolumePass::vtkInternals::BeginLights(const vtkRenderPass* opaque)
 {
-  vtkProp** props = s->GetPropArray();
-  const bool isBlended = std::any_of(props, props + s->GetPropArrayCount(),
-                                     [](vtkProp* prop)
-                                     {
-                                       auto* actor = vtkActor::SafeDownCast(prop);
-                                       return actor != nullptr && shadow::isBlendedAsOpaque(actor);
-                                     });
-  std::string error = "lights cannot be added one by one under ambient occlusion, under hidden line removal, to "
-                      "what is blended or without a depth test";
-  const bool ready = this->Passes.isPlain(opaque) && !isBlended && glIsEnabled(GL_DEPTH_TEST) == GL_TRUE &&
+  std::string error = "lights cannot be added one by one under ambient occlusion or hidden line "
+                      "removal, to what is blended or without a depth test";
+  const bool ready = this->Passes.isPlain(opaque) && !this->Current->Builder.isAnyBlendedAsOpaque() &&
+                     glIsEnabled(GL_DEPTH_TEST) == GL_TRUE &&
                      this->Current->Lights.begin(this->Current->Context.getWindow()->GetState(), error);
   if (!ready)
   {
@@ -77,7 +68,7 @@ void vtkShadowVolumePass::vtkInternals::AddLights(const vtkRenderState* s, vtkRe
 }
 
 //------------------------------------------------------------------------------
-void vtkShadowVolumePass::vtkInternals::BlendLight(bool asked)
+void vtkShadowVolumePass::vtkInternals::BlendLight(bool addsLight)
 {
   if (this->Hook.pass < 0)
   {
@@ -87,5 +78,5 @@ void vtkShadowVolumePass::vtkInternals::BlendLight(bool asked)
   state->vtkglEnable(GL_BLEND);
   const GLenum source = this->FirstShows ? GL_ONE_MINUS_DST_ALPHA : GL_ONE;
   const GLenum before = this->FirstShows ? GL_ONE : GL_ZERO;
-  state->vtkglBlendFuncSeparate(asked ? source : GL_ZERO, before, GL_ONE, before);
+  state->vtkglBlendFuncSeparate(addsLight ? source : GL_ZERO, before, GL_ONE, before);
 }

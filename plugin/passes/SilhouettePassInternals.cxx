@@ -10,7 +10,7 @@
 namespace
 {
 
-bool hasTranslucency(const vtkRenderState* s)
+bool hasMoreToBlend(const vtkRenderState* s)
 {
   vtkProp** props = s->GetPropArray();
   return std::any_of(props, props + s->GetPropArrayCount(),
@@ -73,7 +73,7 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, const v
   settings.crease = self->CreaseEdges;
   settings.featureAngle = self->FeatureAngle;
   settings.behindWindow = state.Builder.isMoreDrawn() || renderer->GetPreserveDepthBuffer() != 0;
-  settings.keepsDepth = keepsDepth && hasTranslucency(s);
+  settings.keepsDepth = keepsDepth && hasMoreToBlend(s);
   settings.waitAfterStages = self->MeasureStages;
   shadow::OutlineEffect::Look look;
   look.color = {self->Color[0], self->Color[1], self->Color[2]};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <vtkCameraPass.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -59,9 +58,11 @@ void vtkShadowVolumePass::Render(const vtkRenderState* s)
   {
     this->Internals->Status = STATUS_OK;
     this->Internals->Message.clear();
+    this->Internals->Remark.clear();
     return;
   }
-  if (this->Internals->Passes.renderInstead(this, renderer, s, this->NumberOfRenderedProps))
+  if (this->Internals->Passes.renderInstead(this, this->Scope != SCOPE_OPAQUE, renderer, s,
+                                            this->NumberOfRenderedProps))
   {
     return;
   }
@@ -116,7 +117,7 @@ void vtkShadowVolumePass::RenderShadowed(const vtkRenderState* s, vtkRenderPass*
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   hook.begin(state, *internals.Current->Effect, internals.Current->View);
   this->PreRender(s);
-  if (this->Compositing == COMPOSITING_MASK || !internals.BeginLights(s, opaque))
+  if (this->Compositing == COMPOSITING_MASK || !internals.BeginLights(opaque))
   {
     hook.pass = shadow::LightingHook::AllLights;
     this->RenderPart(opaque, s);
@@ -149,7 +150,10 @@ bool vtkShadowVolumePass::PostReplaceShaderValues(std::string& vertexShader, std
     // VTK builds a shader once; the message stays with it.
     const std::string message = std::string("the shader of a ") + prop->GetClassName() +
                                 " has lighting that shadows cannot be put into; it is drawn without";
-    this->Internals->ShaderMessages.insert(message);
+    if (this->Internals->Current != nullptr)
+    {
+      this->Internals->Current->ShaderMessages.insert(message);
+    }
     this->Internals->AddMessage(message);
   }
   return this->Superclass::PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper,
@@ -169,7 +173,8 @@ bool vtkShadowVolumePass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
 //------------------------------------------------------------------------------
 vtkMTimeType vtkShadowVolumePass::GetShaderStageMTime()
 {
-  return this->Internals->ShaderTime.GetMTime();
+  const auto* current = this->Internals->Current;
+  return current != nullptr ? current->ShaderTime.GetMTime() : 0;
 }
 
 //------------------------------------------------------------------------------

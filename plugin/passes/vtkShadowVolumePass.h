@@ -17,8 +17,8 @@
  * buffer; a non-zero count clears the light's bit in the shadow mask;
  * 4. VTK draws its opaque pass, with the diffuse and specular part of each light multiplied by the mask.
  *
- * Translucent actors and volumes are drawn after that as vtkRenderStepsPass would; they neither cast nor
- * receive.
+ * Translucent actors and volumes are drawn after that as the renderer does without a pass; they neither cast
+ * nor receive.
  *
  * @par Source
  * Shi 2006 (master's thesis, Umea University), chapter 4.2; Everitt & Kilgard 2002; Lengyel 2002; Roettger,
@@ -155,7 +155,9 @@ public:
   ///@{
   /**
    * Mask (default) or Additive. Additive adds in display space, so physically based actors, whose shader ends
-   * in a gamma curve, are drawn as in Mask also there.
+   * in a gamma curve, are drawn as in Mask also there. It gives way to Mask, which GetStatusMessage() then
+   * tells, with UseSSAO and UseHiddenLineRemoval, over what is blended although it is drawn as opaque, without
+   * a depth test, and in a framebuffer whose depth cannot be shared.
    */
   vtkSetClampMacro(Compositing, int, COMPOSITING_MASK, COMPOSITING_ADDITIVE);
   vtkGetMacro(Compositing, int);
@@ -240,8 +242,8 @@ public:
   int GetStatus() const;
 
   /**
-   * One line for each cause of a status other than OK, and one for a silhouette method that had to give way
-   * to another, which is no failure; empty otherwise. A new message is also a vtkWarningMacro, once. One line
+   * One line for each cause of a status other than OK, and one for a method, a compositing or a number of
+   * samples that had to give way to another, which is no failure; empty otherwise. A new message is also a vtkWarningMacro, once. One line
    * more tells that surfaces are drawn without lighting, on which no shadow shows.
    */
   std::string GetStatusMessage() const;

@@ -122,7 +122,7 @@ void vtkSilhouettePass::Render(const vtkRenderState* s)
     return;
   }
   vtkInternals& internals = *this->Internals;
-  if (internals.Passes.renderInstead(this, renderer, s, this->NumberOfRenderedProps))
+  if (internals.Passes.renderInstead(this, !this->LinesOnly, renderer, s, this->NumberOfRenderedProps))
   {
     return;
   }
@@ -193,7 +193,7 @@ void vtkSilhouettePass::RenderDelegate(const vtkRenderState* s, vtkOpenGLRendere
   }
   if (!drawn)
   {
-    this->Internals->DrawLines(this, s, renderer, window, false);
+    this->Internals->DrawLines(this, s, renderer, window, shadow::othersDrawTheRest(renderer, this));
   }
 }
 

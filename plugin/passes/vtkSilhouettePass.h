@@ -7,11 +7,11 @@
  * triangle; and, if wanted, creases. What of an edge lies behind other surfaces is left out, or drawn
  * faintly.
  *
- * Opaque surface actors have lines and hide those of others. Translucent ones have none; where one is in front
- * of a line, it tints it. All else that VTK has drawn into the window's depth, such as glyphs, images and the
- * layers below one that preserves it, hides lines, pixel by pixel; what lies closer on a surface than lines
- * and points that VTK brings nearer does not. With a delegate other than a vtkShadowVolumePass, lines lie over
- * all that it draws later than opaque things.
+ * Opaque surface actors have lines and hide those of others. Translucent ones have none; where one is in
+ * front of a line, it tints it. All else that VTK has drawn into the window's depth, such as glyphs, images
+ * and the layers below one that preserves it, hides lines, pixel by pixel; what lies closer on a surface
+ * than lines and points that VTK brings nearer does not. With a delegate other than a vtkShadowVolumePass,
+ * lines lie over all that it draws later than opaque things.
  *
  * @par Use
  * - complete pass: `renderer->SetPass(outlines)`
@@ -69,7 +69,8 @@ public:
   ///@{
   /**
    * Draw no scene, only the lines over what is there: the background, for a complete pass. Surfaces hide
-   * lines all the same. Default: off.
+   * lines all the same. Translucent things that have been drawn are below the lines, wherever they are.
+   * Default: off.
    */
   vtkSetMacro(LinesOnly, bool);
   vtkGetMacro(LinesOnly, bool);
@@ -78,8 +79,9 @@ public:
 
   ///@{
   /**
-   * Width of the lines in pixels, half of it on each side of the edge; 0.5 to 64. Default: 2. In a picture that
-   * a vtkWindowToImageFilter with a scale or a vtkRenderLargeImage puts together from tiles, as many times that.
+   * Width of the lines in pixels, half of it on each side of the edge; 0.5 to 64. Default: 2. In a picture
+   * that a vtkWindowToImageFilter with a scale or a vtkRenderLargeImage puts together from tiles, as many
+   * times that.
    */
   virtual void SetLineWidth(double width);
   virtual double GetLineWidthMinValue() { return 0.5; }

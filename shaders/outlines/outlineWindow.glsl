@@ -7,24 +7,30 @@ uniform sampler2D windowDepths;
 uniform int windowMargin;
 uniform vec2 windowFromDepth;
 
-// What VTK brings lines and points of a surface nearer by, so that they show: eight units of 1/65000, and the slope.
+// What VTK brings lines and points of a surface nearer by, so that they show: eight units of 1/65000, and the
+// slope.
 const float windowTolerance = 1.25e-4;
 
-// The nearest that pass 1 is in a pixel and a little around it, as window depth; less the change of depth in a pixel.
+// The nearest that pass 1 is in a pixel and a little around it, as window depth; less the change of depth in
+// a pixel. Nothing is as far as can be.
 float nearestInPixel(ivec2 pixel)
 {
   int scale = int(depthScale);
   ivec2 last = textureSize(depths, 0) - 1;
-  float nearest = windowFromDepth.x + windowFromDepth.y * (nearSign > 0.0 ? 0.0 : 1.0);
+  float farthest = nearSign > 0.0 ? 0.0 : 1.0;
+  float nearest = windowFromDepth.x + windowFromDepth.y * farthest;
   for (int row = -1; row <= scale; ++row)
   {
     for (int column = -1; column <= scale; ++column)
     {
       ivec2 texel = clamp(scale * pixel + ivec2(column, row), ivec2(0), last);
       float depth = texelFetch(depths, texel, 0).x;
-      vec2 slope = abs(depth * texelFetch(slopes, texel, 0).xy);
-      nearest = min(nearest, windowFromDepth.x + windowFromDepth.y * depth -
-                                 abs(windowFromDepth.y) * depthScale * (slope.x + slope.y));
+      if (depth != farthest)
+      {
+        vec2 slope = abs(depth * texelFetch(slopes, texel, 0).xy);
+        nearest = min(nearest, windowFromDepth.x + windowFromDepth.y * depth -
+                                   abs(windowFromDepth.y) * depthScale * (slope.x + slope.y));
+      }
     }
   }
   return nearest;

@@ -1,5 +1,8 @@
 #include "GLStateScope.h"
 
+#include <cstddef>
+#include <iterator>
+
 #include "OpenGL.h"
 
 namespace shadow
@@ -14,6 +17,18 @@ int getInteger(GLenum name)
   glGetIntegerv(name, &value);
   return value;
 }
+
+struct TextureKind
+{
+  GLenum target;
+  GLenum binding;
+};
+constexpr TextureKind textureKinds[] = {
+    {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
+    {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
+    {GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE},
+    {GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER},
+};
 
 void setEnabled(GLenum name, bool enabled)
 {
@@ -51,12 +66,14 @@ GLStateScope::GLStateScope(vtkOpenGLState* vtkState, bool hasClipControl)
   }
   // Who draws volumes of a parallel view switches it on; no other stage writes distances.
   glDisable(GL_CLIP_DISTANCE0);
+  this->readTextures();
   vtkState->PushFramebufferBindings();
 }
 
 GLStateScope::~GLStateScope()
 {
   this->state->PopFramebufferBindings();
+  this->restoreTextures();
   glBindVertexArray(0);
   setEnabled(GL_COLOR_LOGIC_OP, this->logicOp);
   setEnabled(GL_DEPTH_CLAMP, this->depthClamp);
@@ -76,6 +93,30 @@ GLStateScope::~GLStateScope()
   if (this->clipControl)
   {
     glClipControl(static_cast<GLenum>(this->clipOrigin), static_cast<GLenum>(this->clipDepth));
+  }
+}
+
+void GLStateScope::readTextures()
+{
+  for (unsigned int unit = 0; unit < unitsTaken; ++unit)
+  {
+    this->state->vtkglActiveTexture(GL_TEXTURE0 + unit);
+    for (std::size_t kind = 0; kind < std::size(textureKinds); ++kind)
+    {
+      this->textures[unit][kind] = getInteger(textureKinds[kind].binding);
+    }
+  }
+}
+
+void GLStateScope::restoreTextures()
+{
+  for (unsigned int unit = 0; unit < unitsTaken; ++unit)
+  {
+    this->state->vtkglActiveTexture(GL_TEXTURE0 + unit);
+    for (std::size_t kind = 0; kind < std::size(textureKinds); ++kind)
+    {
+      glBindTexture(textureKinds[kind].target, static_cast<GLuint>(this->textures[unit][kind]));
+    }
   }
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
+
 #include <vtkOpenGLState.h>
 
 namespace shadow
 {
 
 /// Keeps the GL state that the shadow stages change and puts it back at the end: VTK's part through
-/// vtkOpenGLState, the rest by asking the GL.
+/// vtkOpenGLState, the rest by asking the GL. Also the textures of the units that our stages take: VTK binds
+/// those of image-based lighting once for all that a frame draws.
 class GLStateScope
 {
 public:
@@ -27,7 +30,12 @@ private:
     int depthFail = 0;
     int depthPass = 0;
   };
+  /// What is bound to a texture unit, by kind of texture.
+  using Bindings = std::array<int, 4>;
+  static constexpr unsigned int unitsTaken = 8;
   static StencilFace readStencil(bool front);
+  void readTextures();
+  void restoreTextures();
   void restoreStencil(unsigned int face, const StencilFace& values);
 
   vtkOpenGLState* state;
@@ -59,6 +67,7 @@ private:
   bool clipControl = false;
   int clipOrigin = 0;
   int clipDepth = 0;
+  std::array<Bindings, unitsTaken> textures{};
 };
 
 } // namespace shadow

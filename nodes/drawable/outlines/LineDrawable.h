@@ -35,7 +35,7 @@ public:
   /// @return false when they are more than the GL can look up; there are then none
   bool upload(const std::vector<FaceEdges>& lines);
 
-  /// Draws them with the current program, see shaders/outlineEdge.vert. @pre a vertex array is bound
+  /// Draws them with the current program, see shaders/outlines/outlineEdge.vert. @pre a vertex array is bound
   /// @return false when the GL cannot look up a mesh of this size
   bool draw(vtkOpenGLState* state, vtkShaderProgram* program, SEDGeometryDrawable& mesh) const;
 

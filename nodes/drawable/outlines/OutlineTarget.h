@@ -12,7 +12,7 @@ namespace shadow
 {
 
 /// The render targets of outlines: depth of all surfaces and its slope for pass 1, and what of each pixel
-/// lines cover for pass 2, see shaders/outlineEdge.frag.
+/// lines cover for pass 2, see shaders/outlines/outlineEdge.frag.
 class OutlineTarget
 {
 public:
@@ -40,7 +40,7 @@ public:
   void endLines(vtkOpenGLState* state);
 
   /// Blends the lines over the bound framebuffer, in the viewport that is set. @pre the program is current
-  /// and has the other uniforms of shaders/outlineBlend.frag
+  /// and has the other uniforms of shaders/outlines/outlineBlend.frag
   /// @param margin  columns and rows by which the targets are wider than the viewport, on each side
   void blend(vtkOpenGLState* state, vtkShaderProgram* program, int margin);
 

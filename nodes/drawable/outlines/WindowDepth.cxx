@@ -76,9 +76,7 @@ bool WindowDepth::copy(vtkOpenGLState* state, std::string& error)
                 this->allocate(state, viewport[2], viewport[3], caller.depthFormat());
   if (copied)
   {
-    while (glGetError() != GL_NO_ERROR)
-    {
-    }
+    glGetError(); // what has been there is none of the copy's
     state->PushFramebufferBindings();
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, caller.name);
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->framebuffer);

@@ -74,6 +74,7 @@ bool LightTarget::begin(vtkOpenGLState* state, std::string& error)
   }
   if (!complete)
   {
+    glGetError(); // which says no more than this line
     error = "lights cannot be added one by one: the GL refuses a colour buffer for them of " +
             std::to_string(this->width) + " x " + std::to_string(this->height) + " pixels with " +
             std::to_string(this->samples) + " samples";

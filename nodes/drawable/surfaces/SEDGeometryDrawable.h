@@ -63,14 +63,14 @@ public:
   /// Frees the GL objects. @pre their context is current, or is gone and @p contextLost
   void release(bool contextLost);
 
-  /// Binds positions and corners as textures, and sets the program's samplers: see shaders/outlineFaces.glsl.
+  /// Binds positions and corners as textures, and sets the program's samplers: see shaders/outlines/outlineFaces.glsl.
   /// @pre the program is current
   /// @return false when the GL cannot look up a mesh of this size
   bool bindFaceTexels(vtkOpenGLState* state, vtkShaderProgram* program);
   static void unbindFaceTexels(vtkOpenGLState* state);
 
   /// Draws vertices for faces of a topology-aware mesh, with nothing but their numbers and what
-  /// bindFaceTexels() and the shared layout give: see shaders/outlineFace.vert. @pre a vertex array is bound
+  /// bindFaceTexels() and the shared layout give: see shaders/outlines/outlineFace.vert. @pre a vertex array is bound
   /// @param mesh   made from the geometry, always the same for one; uploaded when first asked for
   /// @param runs   the faces to draw whole, each a triangle
   /// @param split  the faces to draw as three triangles, one for each edge

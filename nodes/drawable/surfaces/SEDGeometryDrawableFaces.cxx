@@ -16,7 +16,7 @@ namespace
 constexpr int positionUnit = 2;
 constexpr int cornerUnit = 3;
 
-/// Three vertices a face, or nine: see shaders/outlineFace.vert.
+/// Three vertices a face, or nine: see shaders/outlines/outlineFace.vert.
 void drawRuns(vtkShaderProgram* program, const std::vector<FaceRun>& runs, bool split)
 {
   if (runs.empty())

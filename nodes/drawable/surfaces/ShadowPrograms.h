@@ -45,8 +45,8 @@ public:
   explicit ShadowPrograms(vtkOpenGLRenderWindow* renderWindow) : window(renderWindow) {}
 
   /// Makes the stage's program current.
-  /// @param fromNear  what is drawn begins at the near plane, although depth clamp is on: surfaces of a parallel
-  ///                  view, and volumes where startsAtNear() says so
+  /// @param fromNear  what is drawn begins at the near plane, although depth clamp is on: surfaces of a
+  ///                  parallel view, and volumes where startsAtNear() says so
   /// @param switches  lines of the preprocessor to put before it
   /// @return nullptr when it does not compile; VTK has then reported why
   vtkShaderProgram* use(Stage stage, bool fromNear, const std::string& switches = "");

@@ -12,8 +12,6 @@
 #include <vtkMapper.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
-#include <vtkProperty.h>
-#include <vtkTexture.h>
 
 #include "../../vtkShadowCompat.h"
 
@@ -83,13 +81,6 @@ vtkSmartPointer<vtkPolyData> fan(vtkPolyData* input)
 }
 
 } // namespace
-
-bool isBlendedAsOpaque(vtkActor* actor)
-{
-  vtkTexture* texture = actor->GetTexture();
-  return actor->GetForceOpaque() && (actor->GetProperty()->GetOpacity() < 1.0 ||
-                                     (texture != nullptr && texture->IsTranslucent() != 0));
-}
 
 bool DrawnSurfaces::areKnown(vtkMapper* mapper)
 {

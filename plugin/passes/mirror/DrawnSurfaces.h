@@ -25,9 +25,6 @@ namespace shadow
 /// The props from a renderer's prop down to an actor in it.
 using PropPath = std::vector<vtkProp*>;
 
-/// Whether VTK blends an actor over the others although it draws it as an opaque one, since it was told to.
-bool isBlendedAsOpaque(vtkActor* actor);
-
 /// The polygons that VTK draws for an actor: visible blocks of composite data, surfaces of volume meshes, and
 /// what the mapper's clipping planes leave. What has to be computed is kept until its input changes.
 class DrawnSurfaces

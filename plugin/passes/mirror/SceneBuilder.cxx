@@ -12,13 +12,12 @@
 #include <vtkFollower.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
-#include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkShaderProperty.h>
 
+#include "ActorTraits.h"
 #include "MeshImport.h"
 #include "MovedVertices.h"
 #include "SweepUnused.h"
@@ -28,42 +27,6 @@ namespace shadow
 
 namespace
 {
-
-FaceCulling faceCullingOf(vtkActor* actor)
-{
-  // Where both are set, VTK culls the back.
-  const bool front = actor->GetProperty()->GetFrontfaceCulling() != 0;
-  return actor->GetProperty()->GetBackfaceCulling() != 0 ? FaceCulling::Back
-                                                         : (front ? FaceCulling::Front : FaceCulling::None);
-}
-
-bool letsThrough(vtkActor* actor)
-{
-  vtkShaderProperty* shaders = actor->GetShaderProperty();
-  // VTK leaves out what a texture makes wholly transparent, and takes the actor for opaque all the same.
-  // Edges are drawn wider than the triangles they belong to: those of a back reach over the rim.
-  return actor->GetTexture() != nullptr || actor->GetProperty()->GetNumberOfTextures() > 0 ||
-         actor->GetForceOpaque() || actor->GetProperty()->GetEdgeVisibility() != 0 ||
-         shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode() ||
-         shaders->GetNumberOfShaderReplacements() > 0;
-}
-
-/// Whether a prop that is no actor may be drawn with the opaque ones, into the depth buffer.
-bool mayBeOpaque(vtkProp* prop)
-{
-  return prop->IsA("vtkActor2D") == 0 && prop->IsA("vtkVolume") == 0 && prop->HasOpaqueGeometry() != 0;
-}
-
-/// Whether what VTK draws for an actor is not only its polygons.
-bool hasLinesOrPoints(vtkActor* actor, const std::vector<vtkPolyData*>& drawn)
-{
-  vtkProperty* property = actor->GetProperty();
-  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
-  // Of clipped data only polygons are handed out.
-  return property->GetVertexVisibility() != 0 || (planes != nullptr && planes->GetNumberOfItems() > 0) ||
-         std::any_of(drawn.begin(), drawn.end(), [](vtkPolyData* polyData)
-                     { return polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() > 0; });
-}
 
 /// Two roundings of single precision, for a coordinate as large as the mesh: what sin(2 pi) misses 0 by,
 /// times its radius, is less.
@@ -87,6 +50,7 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
   this->triangles = 0;
   this->seenThrough = false;
   this->moreDrawn = false;
+  this->blendedAsOpaque = false;
   this->unlit = 0;
   this->propNumber = -1;
   root.clearChildren();
@@ -152,7 +116,9 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     return;
   }
   mapper->Update();
-  if (!actor->HasOpaqueGeometry() || isBlendedAsOpaque(actor))
+  const bool isBlended = isBlendedAsOpaque(actor);
+  this->blendedAsOpaque = this->blendedAsOpaque || isBlended;
+  if (!actor->HasOpaqueGeometry() || isBlended)
   {
     this->skip(actor, "it is translucent");
     return;

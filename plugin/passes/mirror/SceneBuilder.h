@@ -47,19 +47,21 @@ public:
   /// @return true when other actors are mirrored than the last time
   bool update(vtkRenderer* renderer, const Settings& settings, Group& root);
 
-  /// True for an actor when all that are drawn with its mapper, and so with its shader, have their surfaces in
-  /// the graph, so that their pixels have their own place in the mask.
+  /// True for an actor when all that are drawn with its mapper, and so with its shader, have their surfaces
+  /// in the graph, so that their pixels have their own place in the mask.
   bool isMirrored(vtkProp* prop) const;
 
   /// True when VTK may draw opaque things that are not in the graph: props that are not mirrored, and lines,
   /// points and edges of those that are.
   bool isMoreDrawn() const { return this->moreDrawn; }
 
+  /// True when an actor is blended over the others although VTK draws it as opaque.
+  bool isAnyBlendedAsOpaque() const { return this->blendedAsOpaque; }
+
   /// The actor of a transform that stands for it alone: one data set, drawn in one place. Else nullptr.
   vtkProp* findActor(const Node* transform) const;
 
-  /// True when what VTK draws for an actor may show what lies behind: shaders of its own, textures,
-  /// translucency that is taken for opaque, or edges that are wider than what they belong to.
+  /// True when what VTK draws for an actor may show what lies behind, see letsThrough().
   bool mayBeSeenThrough() const { return this->seenThrough; }
 
   /// Actors that were left out although they are drawn, and why.
@@ -68,8 +70,8 @@ public:
   /// Data that cannot be used, one line each.
   const std::vector<std::string>& getErrors() const { return this->errors; }
 
-  /// Mirrored actors that VTK draws without lighting, so that no shadow shows on them: how many, and the first
-  /// one's name.
+  /// Mirrored actors that VTK draws without lighting, so that no shadow shows on them: how many, and the
+  /// first one's name.
   std::size_t countUnlit() const { return this->unlit; }
   const std::string& getFirstUnlit() const { return this->firstUnlit; }
   std::size_t countMirrored() const { return this->mirrored.size(); }
@@ -120,6 +122,7 @@ private:
   std::size_t triangles = 0;
   bool seenThrough = false;
   bool moreDrawn = false;
+  bool blendedAsOpaque = false;
   std::size_t unlit = 0;
   std::string firstUnlit;
   int propNumber = -1; ///< of the prop that is being mirrored

@@ -65,8 +65,8 @@ Pictures draw(const Row& row, const Way* way, bool flat = false);
 
 /// A row's scene with shadows.
 /// @param plain  VTK alone
-/// @return the picture, with the colour of VTK's where a light's mask tells that it does not reach a pixel, or
-///         not all of it; all VTK's where it is made of several views, which have masks of their own
+/// @return the picture, with the colour of VTK's where a light's mask tells that it does not reach a pixel,
+///         or not all of it; all VTK's where it is made of several views, which have masks of their own
 Picture drawShadowed(const Row& row, const Picture& plain);
 
 /// The second picture of a row's scene when the first was drawn with a pass, which was taken off.

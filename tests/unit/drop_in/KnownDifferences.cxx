@@ -14,7 +14,8 @@ const std::vector<KnownDifference>& knownDifferences()
        "is that "
        "of what is nearest",
        {"erase_off", "window_erase_off"}},
-      {NoCasters, "edges as tubes have normals of their own, which look towards lights that their face does not",
+      {NoCasters,
+       "edges as tubes have normals of their own, which look towards lights that their face does not",
        {"edges_as_tubes"}},
   };
   return list;

@@ -12,6 +12,7 @@
 #include <vtkSSAAPass.h>
 #include <vtkSSAOPass.h>
 #include <vtkSequencePass.h>
+#include <vtkSilhouettePass.h>
 #include <vtkSimpleMotionBlurPass.h>
 #include <vtkSobelGradientMagnitudePass.h>
 #include <vtkToneMappingPass.h>
@@ -113,6 +114,15 @@ void attachAlone(vtkRenderer* renderer, vtkRenderPass* ours)
   renderer->SetPass(ours == nullptr ? nullptr : sequence({ours}));
 }
 
+void attachBeforeLines(vtkRenderer* renderer, vtkRenderPass* ours)
+{
+  vtkNew<vtkSilhouettePass> lines;
+  lines->LinesOnlyOn();
+  lines->SilhouetteEdgesOff();
+  lines->BorderEdgesOff();
+  renderer->SetPass(ours == nullptr ? nullptr : sequence({ours, lines}));
+}
+
 void attachInSequence(vtkRenderer* renderer, vtkRenderPass* ours)
 {
   const vtkSmartPointer<vtkRenderPass> opaque = ours != nullptr ? ours : vtkNew<vtkOpaquePass>().GetPointer();
@@ -157,6 +167,7 @@ std::vector<Row> treeRows()
       {"below_a_camera", build, attachBelowCamera},
       {"below_a_camera_and_glass", buildWithGlass, attachBelowCamera},
       {"alone_in_a_sequence", build, attachAlone},
+      {"before_lines_in_a_sequence", build, attachBeforeLines},
       {"opaque_pass_in_a_sequence", buildWithGlass, attachInSequence},
   };
 }

@@ -156,7 +156,8 @@ std::vector<Row> settingRows()
          addVolume(scene, vtkNew<vtkOpenGLGPUVolumeRayCastMapper>(), false);
        }},
       {"fxaa", [](R scene) { scene.renderer->UseFXAAOn(), addWires(scene); }, nullptr, filteredWays},
-      {"fxaa_and_glass", [](R scene) { scene.renderer->UseFXAAOn(), addGlasses(scene); }, nullptr, filteredWays},
+      {"fxaa_and_glass", [](R scene) { scene.renderer->UseFXAAOn(), addGlasses(scene); }, nullptr,
+       filteredWays},
       {"ssao_narrow", [](R scene) { occlude(scene, 0.2); }},
       {"ssao_wide", [](R scene) { occlude(scene, 1.5); }},
       {"ssao_blurred", [](R scene) { occlude(scene, 0.5, true); }},
@@ -183,6 +184,12 @@ std::vector<Row> settingRows()
          scene.ballActor->SetScale(1.5);
        }},
       {"image_based_lighting", lightByImage},
+      {"image_based_lighting_of_glass",
+       [](R scene)
+       {
+         lightByImage(scene);
+         addGlass(scene, {0.9, 0.9, 0.9}, {-0.4, 0.6, 1.0})->GetProperty()->SetInterpolationToPBR();
+       }},
       lights("lights_automatic", [](R scene) { scene.renderer->AutomaticLightCreationOn(); }),
       lights("lights_none", [](R) {}),
       lights("lights_off", [](R scene) { scene.addPointLight(0.0, 3.0, 0.0)->SwitchOff(); }),

@@ -1,3 +1,4 @@
+#include <vtkAssembly.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkElevationFilter.h>
@@ -170,6 +171,30 @@ void textureBall(DropInScene& scene)
   scene.ballActor->SetTexture(makeTexture());
 }
 
+/// Colours with an alpha of a half, in an actor that is to be drawn as opaque, in an assembly.
+void forceColoursInAssembly(DropInScene& scene)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(-0.5, 0.8, 0.9);
+  sphere->Update();
+  vtkPolyData* ball = sphere->GetOutput();
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+  {
+    colours->InsertNextTuple4(200.0, 40.0, 90.0, 128.0);
+  }
+  ball->GetPointData()->SetScalars(colours);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(ball);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->ForceOpaqueOn();
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(actor);
+  scene.renderer->AddActor(assembly);
+}
+
 } // namespace
 
 std::vector<Row> surfaceRows()
@@ -208,6 +233,7 @@ std::vector<Row> surfaceRows()
       ball("mirrored", [](vtkActor* actor, P*) { actor->SetScale(-1.0, 1.0, 0.6); }),
       ball("invisible", [](vtkActor* actor, P*) { actor->VisibilityOff(); }),
       ball("force_opaque", [](vtkActor* actor, P* of) { of->SetOpacity(0.5), actor->ForceOpaqueOn(); }),
+      {"force_opaque_by_colours_in_an_assembly", forceColoursInAssembly},
       {"back_property",
        [](DropInScene& scene)
        {

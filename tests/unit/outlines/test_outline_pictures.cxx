@@ -102,7 +102,7 @@ TEST(OutlinePictures, Tiles_LinesKeepTheirShareOfThePicture)
       const Pixels whole = large.renderPicture();
       TileScene small(1, parallel);
       const Pixels before = small.renderPicture();
-      const std::string what = std::string(parallel ? "parallel" : "perspective") + ", " + std::to_string(scale);
+      const std::string what = (parallel ? "parallel, " : "perspective, ") + std::to_string(scale);
       // A pixel here and there lies on the edge of the line; lines that are too thin are thousands.
       EXPECT_LT(countDifferent(byWindowToImageFilter(small, scale), whole, 40), 60u) << what;
       // That of VTK 9.1 does not narrow a perspective quite as much as it should.

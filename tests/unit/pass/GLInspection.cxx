@@ -29,11 +29,27 @@ public:
   void Render(const vtkRenderState*) override
   {
     this->error = glGetError();
+    GLint active = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    for (std::size_t unit = 0; unit < this->bound.size(); ++unit)
+    {
+      glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+      glGenTextures(1, &this->bound[unit]);
+      glBindTexture(GL_TEXTURE_2D, this->bound[unit]);
+    }
+    glActiveTexture(static_cast<GLenum>(active));
     this->state = readGLState();
+  }
+
+  /// Frees them. @pre the window's context is current
+  void release()
+  {
+    glDeleteTextures(static_cast<GLsizei>(this->bound.size()), this->bound.data());
   }
 
   GLStateValues state;
   GLenum error = GL_NO_ERROR;
+  std::vector<GLuint> bound; ///< textures to bind before: as many units as there are elements
 };
 vtkStandardNewMacro(StateReader);
 
@@ -77,6 +93,13 @@ GLStateValues readGLState()
   ENABLED(GL_MULTISAMPLE), ENABLED(GL_SAMPLE_ALPHA_TO_COVERAGE), ENABLED(GL_RASTERIZER_DISCARD);
   ENABLED(GL_FRAMEBUFFER_SRGB), ENABLED(GL_PRIMITIVE_RESTART), ENABLED(GL_CLIP_DISTANCE0);
 #undef ENABLED
+  const int active = state["GL_ACTIVE_TEXTURE"].front();
+  for (int unit = 0; unit < 6; ++unit)
+  {
+    glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+    integers(("texture of unit " + std::to_string(unit)).c_str(), GL_TEXTURE_BINDING_2D, 1);
+  }
+  glActiveTexture(static_cast<GLenum>(active));
   GLfloat depth[2] = {0.0f, 0.0f};
   glGetFloatv(GL_DEPTH_RANGE, depth);
   state["GL_DEPTH_RANGE"] = {static_cast<int>(1000.0f * depth[0]), static_cast<int>(1000.0f * depth[1])};
@@ -103,7 +126,9 @@ void expectGLStateKept(vtkRenderer* renderer, vtkRenderPass* pass, const std::st
   renderer->SetPass(cameraPass);
   for (int frame = 0; frame < 3; ++frame)
   {
+    before->bound.assign(6, 0);
     renderer->GetRenderWindow()->Render();
+    before->release();
     ASSERT_GT(before->state.size(), 50u);
     for (const auto& [name, value] : before->state)
     {

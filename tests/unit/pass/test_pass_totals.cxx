@@ -184,8 +184,8 @@ TEST(PassSamples, Default_AsManyAsTheWindowHas)
   EXPECT_EQ(scene.renderMask(), hard);
 }
 
-// Every pixel at the ball's edge is part ball, part table. The averted side of the ball is dark in the mask, the
-// table is not.
+// Every pixel at the ball's edge is part ball, part table. The averted side of the ball is dark in the mask,
+// the table is not.
 TEST(PassSamples, MixedPixel_EachSurfaceTakesItsOwnShadow)
 {
   BallScene scene;

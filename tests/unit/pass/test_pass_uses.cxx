@@ -92,8 +92,8 @@ Pixels plainPicture(BallScene& scene)
   return scene.renderPicture();
 }
 
-/// What the pass makes of a scene whose shadows take nothing away has to be what VTK makes of it: without a pass,
-/// or with a vtkRenderStepsPass, which blends translucent actors in the order in which they come.
+/// What the pass makes of a scene whose shadows take nothing away has to be what VTK makes of it: without a
+/// pass, or with a vtkRenderStepsPass, which blends translucent actors in the order in which they come.
 void expectDrawnAsWithoutShadows(BallScene& scene)
 {
   scene.pass->SetShadowIntensity(0.0);

@@ -1,0 +1,58 @@
+#include "ActorTraits.h"
+
+#include <algorithm>
+
+#include <vtkActor.h>
+#include <vtkMapper.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkTexture.h>
+
+namespace shadow
+{
+
+FaceCulling faceCullingOf(vtkActor* actor)
+{
+  // Where both are set, VTK culls the back.
+  const bool front = actor->GetProperty()->GetFrontfaceCulling() != 0;
+  return actor->GetProperty()->GetBackfaceCulling() != 0 ? FaceCulling::Back
+                                                         : (front ? FaceCulling::Front : FaceCulling::None);
+}
+
+bool isBlendedAsOpaque(vtkActor* actor)
+{
+  vtkTexture* texture = actor->GetTexture();
+  return actor->GetForceOpaque() &&
+         (actor->GetProperty()->GetOpacity() < 1.0 || actor->GetMapper()->HasTranslucentPolygonalGeometry() ||
+          (texture != nullptr && texture->IsTranslucent() != 0));
+}
+
+bool letsThrough(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  // VTK leaves out what a texture makes wholly transparent, and takes the actor for opaque all the same.
+  // Edges are drawn wider than the triangles they belong to: those of a back reach over the rim.
+  return actor->GetTexture() != nullptr || actor->GetProperty()->GetNumberOfTextures() > 0 ||
+         actor->GetForceOpaque() || actor->GetProperty()->GetEdgeVisibility() != 0 ||
+         shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode() ||
+         shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+bool mayBeOpaque(vtkProp* prop)
+{
+  return prop->IsA("vtkActor2D") == 0 && prop->IsA("vtkVolume") == 0 && prop->HasOpaqueGeometry() != 0;
+}
+
+bool hasLinesOrPoints(vtkActor* actor, const std::vector<vtkPolyData*>& drawn)
+{
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  // Of clipped data only polygons are handed out.
+  return actor->GetProperty()->GetVertexVisibility() != 0 ||
+         (planes != nullptr && planes->GetNumberOfItems() > 0) ||
+         std::any_of(drawn.begin(), drawn.end(), [](vtkPolyData* polyData)
+                     { return polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() > 0; });
+}
+
+} // namespace shadow
