@@ -13,13 +13,14 @@
 namespace shadow
 {
 
-/// Has every SEDGeode build its volumes on the CPU where methods that keep silhouettes on the GPU cannot draw them
-/// right: for lights very close to one of its triangles (see CloseTriangles.h), and for those of which the GPU may
-/// get wrong which side of a triangle they are on (see GPUFacingBound). Of all other lights no volume is kept.
+/// Has every SEDGeode build its volumes on the CPU where methods that keep silhouettes on the GPU cannot draw
+/// them right: for lights very close to one of its triangles (see CloseTriangles.h), and for those of which
+/// the GPU may get wrong which side of a triangle they are on (see GPUFacingBound). Of all other lights no
+/// volume is kept.
 ///
 /// @pre  the CasterCuller and the GPUSilhouetteVisitor have been here before
-/// @par Cost  of a cluster tree's facing for each path and light that has moved; O(triangles) where the light is
-///            in the bounding box
+/// @par Cost  of a cluster tree's facing for each path and light that has moved; O(triangles) where the light
+///            is in the bounding box
 class ExactVolumeVisitor : public NodeVisitor
 {
 public:

@@ -12,8 +12,8 @@
 namespace shadow
 {
 
-/// Gives every SEDGeode the facing that a FacingTexture has read back, where no volume is kept; and where the GPU is
-/// not sure of it, the exact one.
+/// Gives every SEDGeode the facing that a FacingTexture has read back, where no volume is kept; and where the
+/// GPU is not sure of it, the exact one.
 ///
 /// @pre  the GPUSilhouetteVisitor has been here before, to prepare
 /// @par Source  Shi 2006, chapter 4.3

@@ -137,7 +137,8 @@ bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& err
   }
   else
   {
-    const SceneFrame* space = this->method->needsCollection() ? &this->collector.getCollection().frame : nullptr;
+    const SceneFrame* space =
+        this->method->needsCollection() ? &this->collector.getCollection().frame : nullptr;
     ExactVolumeVisitor exact(frame.lights, space, this->edgeClassifier, mostCountableIn(CountBuffer::Color));
     this->accept(exact);
     this->hasExactVolumes = exact.hasVolumes();

@@ -19,13 +19,12 @@ class FacingTexture;
 /// 1. SilhouetteCamera, or whatever the method does before it draws
 /// 2. pre-pass, with the facing from there
 /// 3. facing-texture: the texture read back, edges classified and extruded on the CPU while the GL works on
-/// the
-///    pre-pass; else nothing
+///    the pre-pass; else nothing
 /// 4. for each light: volumes counted
 ///
 /// Methods that keep everything on the GPU count in colour, since nothing there bounds how often a ray enters
-/// a volume. Of lights very close to a triangle, or within rounding of its plane, volumes come from the CPU with
-/// every method.
+/// a volume. Of lights very close to a triangle, or within rounding of its plane, volumes come from the CPU
+/// with every method.
 ///
 /// @par Source  Shi 2006, chapter 4.3
 class ShadowVolumeGPUEffect : public ShadowVolumeEffect

@@ -19,8 +19,8 @@ constexpr double step = 0x1p-48;
 /// A light this close to a corner counts as at it, in units of the frame: facing.glsl says 3e-14, in 48 bits.
 constexpr double atCorner = 0x1p-44;
 
-/// Steps from the corners to the sign, each relative to the largest term: 2 for each side and 8 for their product, 4
-/// for the normal, 2 for the arm, 8 for its product with the normal, 4 for the sum. 32 leave room.
+/// Steps from the corners to the sign, each relative to the largest term: 2 for each side and 8 for their
+/// product, 4 for the normal, 2 for the arm, 8 for its product with the normal, 4 for the sum. 32 leave room.
 constexpr double steps = 32.0;
 
 double sumOfSizes(const glm::dvec3& vector)
@@ -70,8 +70,8 @@ GPUFacingBound GPUFacingBound::inScene(const SEDGeometry& geometry, const glm::d
 
 double GPUFacingBound::getMargin(const SEDGeometry& geometry, double w) const
 {
-  // isSure() in model space, of the triangle that it is hardest for, generously: a linear map makes a volume at least
-  // its determinant times as large, which is at least 1 / inverse^3.
+  // isSure() in model space, of the triangle that it is hardest for, generously: a linear map makes a volume
+  // at least its determinant times as large, which is at least 1 / inverse^3.
   const double inverse = normOf(glm::inverse(this->linear));
   const double condition = normOf(this->linear) * inverse;
   const double sharpness = geometry.getSharpness();

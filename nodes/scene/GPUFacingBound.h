@@ -12,11 +12,11 @@
 namespace shadow
 {
 
-/// Of which triangles shaders/facing.glsl may get the facing wrong: those in whose plane the light is, but for the
-/// rounding of 48 bits. For a GL that has exact arithmetic there.
+/// Of which triangles shaders/facing.glsl may get the facing wrong: those in whose plane the light is, but
+/// for the rounding of 48 bits. For a GL that has exact arithmetic there.
 ///
-/// Two kinds of rounding. Corners and light are rounded as they get to the GPU, if they are not exact there; and
-/// each step rounds relative to its result.
+/// Two kinds of rounding. Corners and light are rounded as they get to the GPU, if they are not exact there;
+/// and each step rounds relative to its result.
 class GPUFacingBound
 {
 public:
@@ -32,8 +32,8 @@ public:
   static GPUFacingBound inScene(const SEDGeometry& geometry, const glm::dmat4& modelToWorld,
                                 const SceneFrame& frame, const Light& light, const glm::dvec4& lightMC);
 
-  /// Every triangle of which the GPU is not sure is as close to the light as FacingDecider::widenDoubt() has it,
-  /// or has a plane of zeros.
+  /// Every triangle of which the GPU is not sure is as close to the light as FacingDecider::widenDoubt() has
+  /// it, or has a plane of zeros.
   /// @param w  of the light
   double getMargin(const SEDGeometry& geometry, double w) const;
 

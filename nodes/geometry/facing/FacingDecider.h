@@ -31,7 +31,8 @@ public:
 
   const ScaledLight& getScaledLight() const { return this->light; }
 
-  /// Has compare() and compareClusters() take triangles for doubtful, too, whose planes the light is this close to.
+  /// Has compare() and compareClusters() take triangles for doubtful, too, whose planes the light is this
+  /// close to.
   ///
   /// @param margin  of the sum of the light's coordinates, where a position's are in units of the reach
   void widenDoubt(double margin);

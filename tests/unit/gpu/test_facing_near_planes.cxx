@@ -1,5 +1,5 @@
-// Where the GPU is said to be sure how triangles face a light, it is right: for lights next to their planes, of
-// meshes anywhere, of any scale.
+// Where the GPU is said to be sure how triangles face a light, it is right: for lights next to their planes,
+// of meshes anywhere, of any scale.
 
 #include <gtest/gtest.h>
 
@@ -50,8 +50,8 @@ double uniform(std::mt19937& random, double lower, double upper)
   return std::uniform_real_distribution<double>(lower, upper)(random);
 }
 
-/// A place up to a hundred times as far as the mesh is large, a scale from 1e-3 to 1e3; every third time not the same
-/// along all axes, every fourth without turning.
+/// A place up to a hundred times as far as the mesh is large, a scale from 1e-3 to 1e3; every third time not
+/// the same along all axes, every fourth without turning.
 glm::dmat4 makePlacement(std::mt19937& random, int which)
 {
   glm::dmat4 matrix = glm::translate(glm::dmat4(1.0), randomPoint(random, which % 5 == 0 ? 0.0 : 100.0));
@@ -64,8 +64,9 @@ glm::dmat4 makePlacement(std::mt19937& random, int which)
   return glm::scale(matrix, scale * (which % 3 == 0 ? along : glm::dvec3(1.0)));
 }
 
-/// A light next to the plane of a triangle, by 1e-12 to 1e-16 of the mesh's reach, times what planes are rougher by:
-/// above the triangle, next to a corner of it, far off, or at infinity. Relative to the geometry's origin.
+/// A light next to the plane of a triangle, by 1e-12 to 1e-16 of the mesh's reach, times what planes are
+/// rougher by: above the triangle, next to a corner of it, far off, or at infinity. Relative to the
+/// geometry's origin.
 glm::dvec4 makeLightNearPlane(const SEDGeometry& geometry, std::mt19937& random, int which, double rougher)
 {
   const auto& corners = geometry.getTriangles()[random() % geometry.getTriangles().size()];
@@ -80,14 +81,15 @@ glm::dvec4 makeLightNearPlane(const SEDGeometry& geometry, std::mt19937& random,
                         : glm::dvec4(at(0) + along + off * geometry.getReach() * glm::normalize(normal), 1.0);
 }
 
-/// For every other light, by how much the mesh's thinnest triangle turns more than one that is as high as long.
+/// For every other light, by how much the mesh's thinnest triangle turns more than one that is as high as
+/// long.
 double roughnessOf(const SEDGeometry& geometry, int which)
 {
   return which / 4 % 2 == 0 ? 1.0 : geometry.getSharpness();
 }
 
-/// Exact facing by computeFacing() with a bound, which has to be the one without, and to ask every triangle that may
-/// be unsure. @return  what it returns
+/// Exact facing by computeFacing() with a bound, which has to be the one without, and to ask every triangle
+/// that may be unsure. @return  what it returns
 bool face(const SEDGeometry& geometry, const glm::dvec4& lightMC, const GPUFacingBound& bound)
 {
   LightFacing facing;
@@ -159,7 +161,8 @@ TEST(FacingNearPlanes, LightsNextToPlanes_SureMeansRight)
       std::vector<Light> lights;
       for (int i = 0; i < maximumLights; ++i)
       {
-        const glm::dvec4 lightMC = makeLightNearPlane(*geometry, random, i, larger * roughnessOf(*geometry, i));
+        const double rougher = larger * roughnessOf(*geometry, i);
+        const glm::dvec4 lightMC = makeLightNearPlane(*geometry, random, i, rougher);
         lights.push_back({i, worldFromRelative(*geometry, matrix) * lightMC});
       }
       if (placement % 2 != 0)
@@ -240,7 +243,8 @@ TEST(FacingNearPlanes, EvaluatedFromTheTables_SureMeansTheSilhouetteOfTheCPU)
         const GPUFacingBound bound = GPUFacingBound::inModel(probe.getGeometry(), lightsMC[i]);
         if (face(probe.getGeometry(), lightsMC[i], bound))
         {
-          EXPECT_TRUE(isSameSilhouette(found[i], findOnCPU(probe.getGeometry(), lightsMC[i]))) << "light " << i;
+          EXPECT_TRUE(isSameSilhouette(found[i], findOnCPU(probe.getGeometry(), lightsMC[i])))
+              << "light " << i;
           ++sure;
         }
         else
