@@ -42,7 +42,7 @@ void GPUSilhouetteVisitor::prepare(SEDGeode& geode, PathState& path)
     if (state.lightMC != *lightMC)
     {
       state.extruded = false;
-      state.hasCloseTriangles.reset();
+      state.needsExactVolumes.reset();
     }
     state.lightMC = *lightMC;
     this->facedAnew = this->facedAnew || !state.faced;
@@ -80,7 +80,7 @@ void GPUSilhouetteVisitor::draw(const SEDGeode& geode, const PathState& path)
   }
   if (state->second.extruded)
   {
-    return; // the CloseTriangleVisitor has made volumes
+    return; // the ExactVolumeVisitor has made volumes
   }
   const CasterPlan& plan = state->second.plan;
   const auto light =

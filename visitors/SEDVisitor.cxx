@@ -129,7 +129,7 @@ void SEDVisitor::face(SEDGeode& geode, PathState& path)
     if (!state.faced || state.lightMC != *lightMC)
     {
       state.lightMC = *lightMC;
-      state.hasCloseTriangles.reset();
+      state.needsExactVolumes.reset();
       this->finder.face(geometry, *lightMC, state.facing);
       state.faced = true;
       state.extruded = false;

@@ -4,9 +4,9 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
-#include "CloseTriangleVisitor.h"
 #include "ComputeSilhouette.h"
 #include "EdgeQuadSilhouette.h"
+#include "ExactVolumeVisitor.h"
 #include "FacingTexture.h"
 #include "GPUSilhouetteVisitor.h"
 #include "GeometryShaderSilhouette.h"
@@ -128,7 +128,7 @@ bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& err
       return false;
     }
     filled.readBackMilliseconds = this->readBack->getReadBackTimes().getSum();
-    ReadFacingVisitor read(*this->readBack, frame.lights);
+    ReadFacingVisitor read(*this->readBack, this->collector.getCollection().frame, frame.lights);
     this->accept(read);
   }
   if (this->readBack != nullptr)
@@ -137,9 +137,11 @@ bool ShadowVolumeGPUEffect::findSilhouettes(const Frame& frame, std::string& err
   }
   else
   {
-    CloseTriangleVisitor close(frame.lights, this->edgeClassifier, mostCountableIn(CountBuffer::Color));
-    this->accept(close);
-    this->hasCloseTriangles = close.hasVolumes();
+    const SceneFrame* space =
+        this->method->needsCollection() ? &this->collector.getCollection().frame : nullptr;
+    ExactVolumeVisitor exact(frame.lights, space, this->edgeClassifier, mostCountableIn(CountBuffer::Color));
+    this->accept(exact);
+    this->hasExactVolumes = exact.hasVolumes();
   }
   filled.usedMethods = {{this->name, filled.casters}};
   return true;
@@ -164,12 +166,12 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
     this->changeStatistics().capTriangles += draw.getCounts().caps;
     counted = counted || draw.hasDrawn();
     error = draw.getError();
-    if (!error.empty() || !this->drawCloseVolumes(frame, count, error))
+    if (!error.empty() || !this->drawExactVolumes(frame, count, error))
     {
       return false;
     }
   }
-  counted = counted || this->hasCloseTriangles;
+  counted = counted || this->hasExactVolumes;
   ShadowPrograms programs(frame.window);
   if (counted && !this->getTarget().foldCount(frame.window->GetState(), programs, light.index,
                                               this->getDepthRange().reversed))
@@ -180,9 +182,9 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
   return true;
 }
 
-bool ShadowVolumeGPUEffect::drawCloseVolumes(const Frame& frame, StencilCount count, std::string& error)
+bool ShadowVolumeGPUEffect::drawExactVolumes(const Frame& frame, StencilCount count, std::string& error)
 {
-  if (!this->hasCloseTriangles)
+  if (!this->hasExactVolumes)
   {
     return true;
   }

@@ -19,12 +19,12 @@ class FacingTexture;
 /// 1. SilhouetteCamera, or whatever the method does before it draws
 /// 2. pre-pass, with the facing from there
 /// 3. facing-texture: the texture read back, edges classified and extruded on the CPU while the GL works on
-/// the
-///    pre-pass; else nothing
+///    the pre-pass; else nothing
 /// 4. for each light: volumes counted
 ///
 /// Methods that keep everything on the GPU count in colour, since nothing there bounds how often a ray enters
-/// a volume. Volumes of triangles that a light is very close to come from the CPU with every method.
+/// a volume. Of lights very close to a triangle, or within rounding of its plane, volumes come from the CPU
+/// with every method.
 ///
 /// @par Source  Shi 2006, chapter 4.3
 class ShadowVolumeGPUEffect : public ShadowVolumeEffect
@@ -45,7 +45,7 @@ protected:
   CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const override;
 
 private:
-  bool drawCloseVolumes(const Frame& frame, StencilCount count, std::string& error);
+  bool drawExactVolumes(const Frame& frame, StencilCount count, std::string& error);
 
   SilhouetteMethod name;
   std::unique_ptr<GPUSilhouette> method;
@@ -53,7 +53,7 @@ private:
   BruteForceSilhouette edgeClassifier; ///< for readBack
   VETCollector collector;
   std::vector<Light> lightsBefore; ///< of the frame before
-  bool hasCloseTriangles = false;  ///< of the coming frame; see CloseTriangleVisitor
+  bool hasExactVolumes = false;    ///< of the coming frame; see ExactVolumeVisitor
   bool reading = false;            ///< the coming frame's facing is being read back
 };
 

@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include "GPUFacingBound.h"
 #include "Light.h"
 #include "Node.h"
 #include "NodeVisitor.h"
@@ -56,8 +57,9 @@ struct PathLightState
   CasterPlan plan;            ///< for the coming draw
   CasterPlan extrudedPlan;    ///< what volumes were built for
   std::uint64_t finderId = 0; ///< SilhouetteFinder::getId() of whose silhouettes volumes were built from
-  /// Of lightMC; not known where nobody asked. For methods that keep silhouettes on the GPU.
-  std::optional<bool> hasCloseTriangles;
+  /// See ExactVolumeVisitor; of lightMC, not known where nobody asked.
+  std::optional<bool> needsExactVolumes;
+  GPUFacingBound facingBound; ///< with which that was found out
   LightFacing facing;
   std::size_t extrudedCountable = 0; ///< see ShadowVolumeOptions::countable; what volumes were built for
   std::vector<ShadowVolume> volumes; ///< one; more when a ray could enter it more often than can be counted

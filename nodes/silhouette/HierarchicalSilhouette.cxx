@@ -1,30 +1,13 @@
 #include "HierarchicalSilhouette.h"
 
-#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "EdgeScan.h"
-#include "FacingBits.h"
 #include "FacingDecider.h"
-#include "Prefetch.h"
 
 namespace shadow
 {
-
-namespace
-{
-
-void prefetchQuarters(const PlaneBlock& block, unsigned int quarters)
-{
-  for (; quarters != 0; quarters &= quarters - 1)
-  {
-    const std::size_t slot = PlaneBlock::quarter * findLowestBit(quarters);
-    prefetch(&block.xy[slot], PlaneBlock::quarter * sizeof(PlaneBlock::Pair));
-    prefetch(&block.zOffset[slot], PlaneBlock::quarter * sizeof(PlaneBlock::Pair));
-  }
-}
-
-} // namespace
 
 void HierarchicalSilhouette::face(const SEDGeometry& geometry, const glm::dvec4& lightMC,
                                   LightFacing& facing) const
@@ -35,27 +18,8 @@ void HierarchicalSilhouette::face(const SEDGeometry& geometry, const glm::dvec4&
     computeFacing(geometry, lightMC, facing);
     return;
   }
-  facing.towards.resize(geometry.getTriangles().size());
-  facing.away.resize(geometry.getTriangles().size());
-  if (!facing.mixedWords)
-  {
-    facing.mixedWords.emplace();
-  }
-  facing.mixedWords->clear();
-  std::vector<ClusterTree::Quarters> mixed;
-  geometry.getClusterTree().classify(decider.getScaledLight(), facing.towards, facing.away, mixed);
-  facing.mixedWords->reserve(mixed.size());
-  constexpr std::size_t ahead = 12;
   std::vector<std::uint32_t> doubtful;
-  for (std::size_t index = 0; index < mixed.size(); ++index)
-  {
-    if (index + ahead < mixed.size())
-    {
-      prefetchQuarters(geometry.getPlaneBlocks()[mixed[index + ahead].word], mixed[index + ahead].bits);
-    }
-    decider.compare(mixed[index].word, mixed[index].bits, facing, doubtful);
-    facing.mixedWords->push_back(mixed[index].word);
-  }
+  decider.compareClusters(facing, doubtful);
   decider.resolve(doubtful, facing);
 }
 

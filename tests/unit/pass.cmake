@@ -69,11 +69,13 @@ if(VTKSHADOW_HEADLESS)
     PUBLIC shadow_test_scene shadow_drawable shadow_visitors shadow_test_meshes PRIVATE shadow_warnings)
 
   add_executable(test_gpu
+    gpu/test_facing_near_planes.cxx
     gpu/test_silhouette_camera.cxx
     gpu/test_silhouette_camera_precision.cxx
     gpu/test_texel_array.cxx)
   target_link_libraries(test_gpu PRIVATE
-    shadow_gpu_scene shadow_ball_scene GTest::gtest_main shadow_warnings VTK::FiltersCore VTK::IOGeometry)
+    shadow_gpu_scene shadow_silhouette_probe shadow_ball_scene GTest::gtest_main shadow_warnings VTK::FiltersCore
+    VTK::IOGeometry)
   vtk_module_autoinit(TARGETS test_gpu MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
   # Meshes that may be found beside the project.
   target_compile_definitions(test_gpu PRIVATE SHADOW_MODELS="${PROJECT_SOURCE_DIR}/../shared/models")

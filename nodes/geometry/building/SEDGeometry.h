@@ -111,6 +111,10 @@ public:
   /// The power of two that PlaneBlock::offset is in units of; no vertex has |x| + |y| + |z| above it.
   double getReach() const { return this->reach; }
 
+  /// How far planes turn where corners move by one reach, to first order: the largest (|u| + |v|) / |u x v|
+  /// of two sides of a triangle, times the reach. Without triangles that have a plane of zeros.
+  double getSharpness() const { return this->sharpness; }
+
   /// Every edge once, made as they are asked for. A border edge runs as its triangle's oriented boundary
   /// does.
   EdgeList getEdges() const { return EdgeList(*this); }
@@ -178,6 +182,7 @@ private:
   FacingBits copies;
   std::vector<PlaneBlock> planeBlocks;
   double reach = 1.0;
+  double sharpness = 0.0;
   EdgeTable edgeTable;
   ClusterTree clusterTree;
   glm::dvec3 lowerBound{std::numeric_limits<double>::max()};

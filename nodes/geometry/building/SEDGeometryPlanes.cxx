@@ -103,6 +103,9 @@ void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle)
     return;
   }
   const double factor = 1.0 / glm::length(plane.normal);
+  const glm::dvec3 sides = glm::abs(u) + glm::abs(v);
+  this->geometry.sharpness =
+      std::max(this->geometry.sharpness, (sides.x + sides.y + sides.z) * factor * this->geometry.reach);
   this->geometry.planeBlocks[triangle / PlaneBlock::triangles].set(
       triangle % PlaneBlock::triangles, plane.normal * factor, plane.offset * factor / this->geometry.reach);
 }

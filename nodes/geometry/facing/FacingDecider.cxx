@@ -9,11 +9,35 @@
 namespace shadow
 {
 
+namespace
+{
+
+void prefetchQuarters(const PlaneBlock& block, unsigned int quarters)
+{
+  for (; quarters != 0; quarters &= quarters - 1)
+  {
+    const std::size_t slot = PlaneBlock::quarter * findLowestBit(quarters);
+    prefetch(&block.xy[slot], PlaneBlock::quarter * sizeof(PlaneBlock::Pair));
+    prefetch(&block.zOffset[slot], PlaneBlock::quarter * sizeof(PlaneBlock::Pair));
+  }
+}
+
+} // namespace
+
 FacingDecider::FacingDecider(const SEDGeometry& theGeometry, const glm::dvec4& theLightMC, InstructionSet set)
     : geometry(theGeometry), lightMC(theLightMC), light(scaleLight(theLightMC, theGeometry.getReach())),
       lightAsRounded(this->light.x, this->light.y, this->light.z, this->light.w),
       lightInUnits(toUnits(this->light)), kernel(getPlaneKernel(set))
 {
+}
+
+void FacingDecider::widenDoubt(double margin)
+{
+  const glm::dvec4 size = glm::abs(this->lightAsRounded);
+  // A plane's value is at most the sum: then all are doubtful.
+  const double added = (margin < 1.0 ? margin : 1.0) * (size.x + size.y + size.z + size.w);
+  this->light.bound += static_cast<float>(added);
+  this->lightInUnits = toUnits(this->light);
 }
 
 void FacingDecider::decide(std::size_t firstWord, std::size_t endWord, LightFacing& facing) const
@@ -41,6 +65,30 @@ void FacingDecider::compare(std::size_t word, unsigned int quarters, LightFacing
   if (const std::uint64_t open = ~(towards | away); open != 0)
   {
     this->decideOpen(word, open, facing, doubtful);
+  }
+}
+
+void FacingDecider::compareClusters(LightFacing& facing, std::vector<std::uint32_t>& doubtful) const
+{
+  facing.towards.resize(this->geometry.getTriangles().size());
+  facing.away.resize(this->geometry.getTriangles().size());
+  if (!facing.mixedWords)
+  {
+    facing.mixedWords.emplace();
+  }
+  facing.mixedWords->clear();
+  std::vector<ClusterTree::Quarters> mixed;
+  this->geometry.getClusterTree().classify(this->light, facing.towards, facing.away, mixed);
+  facing.mixedWords->reserve(mixed.size());
+  constexpr std::size_t ahead = 12;
+  for (std::size_t index = 0; index < mixed.size(); ++index)
+  {
+    if (index + ahead < mixed.size())
+    {
+      prefetchQuarters(this->geometry.getPlaneBlocks()[mixed[index + ahead].word], mixed[index + ahead].bits);
+    }
+    this->compare(mixed[index].word, mixed[index].bits, facing, doubtful);
+    facing.mixedWords->push_back(mixed[index].word);
   }
 }
 

@@ -31,6 +31,12 @@ public:
 
   const ScaledLight& getScaledLight() const { return this->light; }
 
+  /// Has compare() and compareClusters() take triangles for doubtful, too, whose planes the light is this
+  /// close to.
+  ///
+  /// @param margin  of the sum of the light's coordinates, where a position's are in units of the reach
+  void widenDoubt(double margin);
+
   /// Writes the words [firstWord, endWord) of @p facing, which is as large as the mesh.
   ///
   /// @pre       isLit()
@@ -48,6 +54,12 @@ public:
   /// @p doubtful
   void compare(std::size_t word, unsigned int quarters, LightFacing& facing,
                std::vector<std::uint32_t>& doubtful) const;
+
+  /// compare() for all quarters that do not face the light as one, by the geometry's ClusterTree.
+  ///
+  /// @param facing  of any size; its mixedWords are written, too
+  /// @par Cost  O(clusters that do not face the light as one), and one store a word
+  void compareClusters(LightFacing& facing, std::vector<std::uint32_t>& doubtful) const;
 
   /// Decides these triangles, from their corners.
   void resolve(const std::vector<std::uint32_t>& doubtful, LightFacing& facing) const;

@@ -5,6 +5,7 @@
 
 #include <vtkOpenGLState.h>
 
+#include "OpenGL.h"
 #include "ShadowVolume.h"
 
 namespace shadow::test
@@ -56,6 +57,21 @@ std::string GpuScene::draw(const std::vector<Light>& lights)
   }
   this->camera.startReadBack(this->window);
   return this->camera.fetch() ? "" : "nothing fetched";
+}
+
+bool hasExactArithmetic()
+{
+  GLint major = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  bool exact = major >= 4;
+  GLint extensions = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
+  for (GLint i = 0; i < extensions && !exact; ++i)
+  {
+    const GLubyte* name = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    exact = std::string(reinterpret_cast<const char*>(name)) == "GL_ARB_gpu_shader5";
+  }
+  return exact;
 }
 
 int facingOf(const LightFacing& facing, std::size_t triangle)

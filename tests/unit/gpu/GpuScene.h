@@ -63,6 +63,9 @@ public:
   SilhouetteCamera camera;
 };
 
+/// Whether GLSL has it, as shaders/precise.glsl asks for. @pre  a context is current
+bool hasExactArithmetic();
+
 /// 1, -1 or 0: the light is in front of the triangle, behind it, or in its plane.
 int facingOf(const LightFacing& facing, std::size_t triangle);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 #include <stdexcept>
+#include <tuple>
 
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
@@ -19,6 +20,18 @@
 
 namespace shadow::test
 {
+
+namespace
+{
+
+void sortEdges(std::vector<SilhouetteEdge>& silhouette)
+{
+  std::sort(silhouette.begin(), silhouette.end(),
+            [](const SilhouetteEdge& a, const SilhouetteEdge& b)
+            { return std::tuple(a.from, a.to, a.multiplicity) < std::tuple(b.from, b.to, b.multiplicity); });
+}
+
+} // namespace
 
 SilhouetteProbe::SilhouetteProbe(const SEDGeometry& geometry)
     : geode(std::make_shared<SEDGeometry>(geometry)), path{&this->geode}
@@ -138,6 +151,17 @@ std::size_t countOpenVertices(const SEDGeometry& geometry, const std::vector<Sil
   }
   return static_cast<std::size_t>(
       std::count_if(balance.begin(), balance.end(), [](const auto& vertex) { return vertex.second != 0; }));
+}
+
+bool isSameSilhouette(std::vector<SilhouetteEdge> a, std::vector<SilhouetteEdge> b)
+{
+  sortEdges(a);
+  sortEdges(b);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const SilhouetteEdge& first, const SilhouetteEdge& second) {
+                      return first.from == second.from && first.to == second.to &&
+                             first.multiplicity == second.multiplicity;
+                    });
 }
 
 std::vector<SilhouetteEdge> findOnCPU(const SEDGeometry& geometry, const glm::dvec4& lightMC)

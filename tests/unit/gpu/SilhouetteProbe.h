@@ -55,6 +55,9 @@ private:
 /// that is closed. Vertices at the same position count as one.
 std::size_t countOpenVertices(const SEDGeometry& geometry, const std::vector<SilhouetteEdge>& silhouette);
 
+/// Whether two silhouettes are the same edges, in any order.
+bool isSameSilhouette(std::vector<SilhouetteEdge> a, std::vector<SilhouetteEdge> b);
+
 /// What the CPU finds.
 std::vector<SilhouetteEdge> findOnCPU(const SEDGeometry& geometry, const glm::dvec4& lightMC);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <random>
-#include <tuple>
 
 #include "ComputeProgram.h"
 #include "OpenGL.h"
@@ -19,24 +18,6 @@ namespace
 
 constexpr std::uint32_t torusSide = 60;
 constexpr std::uint32_t inPlaneLights = 400;
-
-void sort(std::vector<SilhouetteEdge>& silhouette)
-{
-  std::sort(silhouette.begin(), silhouette.end(),
-            [](const SilhouetteEdge& a, const SilhouetteEdge& b)
-            { return std::tuple(a.from, a.to, a.multiplicity) < std::tuple(b.from, b.to, b.multiplicity); });
-}
-
-bool same(std::vector<SilhouetteEdge> a, std::vector<SilhouetteEdge> b)
-{
-  sort(a);
-  sort(b);
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const SilhouetteEdge& first, const SilhouetteEdge& second) {
-                      return first.from == second.from && first.to == second.to &&
-                             first.multiplicity == second.multiplicity;
-                    });
-}
 
 /// Point lights inside and outside the mesh, and directional ones.
 std::vector<glm::dvec4> makeLights(std::uint32_t seed, int count)
@@ -58,7 +39,7 @@ void expectThatOfTheCPU(SilhouetteProbe& probe, Method& method, const std::vecto
   ASSERT_EQ(found.size(), lights.size());
   for (std::size_t light = 0; light < lights.size(); ++light)
   {
-    EXPECT_TRUE(same(found[light], findOnCPU(probe.getGeometry(), lights[light]))) << "light " << light;
+    EXPECT_TRUE(isSameSilhouette(found[light], findOnCPU(probe.getGeometry(), lights[light]))) << "light " << light;
   }
 }
 

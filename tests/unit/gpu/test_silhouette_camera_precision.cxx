@@ -20,7 +20,6 @@
 #include <vtkTriangleFilter.h>
 
 #include "GpuScene.h"
-#include "OpenGL.h"
 
 using namespace shadow;
 using namespace shadow::test;
@@ -32,17 +31,7 @@ namespace
 /// where GLSL has no exact arithmetic, see shaders/facing.glsl. @pre  a context is current
 double getTolerance()
 {
-  GLint major = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  bool precise = major >= 4;
-  GLint extensions = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
-  for (GLint i = 0; i < extensions && !precise; ++i)
-  {
-    const GLubyte* name = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-    precise = std::string(reinterpret_cast<const char*>(name)) == "GL_ARB_gpu_shader5";
-  }
-  return precise ? 1e-12 : 2e-7;
+  return hasExactArithmetic() ? 1e-12 : 2e-7;
 }
 
 struct Mesh
