@@ -63,9 +63,14 @@ public:
     bool leavesOutFlatFaces = true; ///< Faces: none that can have no line is drawn, see ContributingFaces
     bool splitsLargeFaces = true;   ///< Faces: three thin triangles for one where that covers fewer pixels
     int depthScale = 0; ///< pixels of pass 1 for one of the view, in each direction; 0: chooseDepthScale()
-    bool behindWindow = false; ///< what the bound framebuffer's depth has in front of the graph hides lines
-    bool keepsDepth = false;   ///< blend() has the framebuffer's depth be that of visible lines, for what
-                               ///< comes after, in pixels whose middle they cover
+    /// What the bound framebuffer's depth has in front of the graph hides lines, too: where it is nearer by
+    /// windowTolerance, in window depth, and by what the depth changes over windowReach pixels.
+    bool behindWindow = false;
+    double windowTolerance = 1e-6;
+    double windowReach = 1.0;
+    /// blend() has the framebuffer's depth be that of visible lines, for what comes after, in pixels whose
+    /// middle they cover.
+    bool keepsDepth = false;
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
 

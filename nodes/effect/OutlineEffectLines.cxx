@@ -110,6 +110,8 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
   if (windowTexture != 0)
   {
     program->SetUniformi("windowMargin", this->margin);
+    program->SetUniformf("windowTolerance", static_cast<float>(settings.windowTolerance));
+    program->SetUniformf("windowReach", static_cast<float>(settings.windowReach));
     program->SetUniform2f("windowFromDepth", &this->depthToWindow.x);
   }
   const glm::dmat4 clipFromWC = shadowClipFromWC(wideView, this->depthRange);

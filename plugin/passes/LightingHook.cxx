@@ -117,12 +117,8 @@ void LightingHook::begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, cons
   ShadowTarget& target = effect.getTarget();
   this->textureTarget = target.getTextureTarget();
   this->samplePlaces = &target.getSamplePlaces();
-  this->maskUnit = state->GetTextureUnitManager()->Allocate();
-  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->maskUnit));
-  glBindTexture(this->textureTarget, target.getMaskTexture());
-  this->depthUnit = state->GetTextureUnitManager()->Allocate();
-  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->depthUnit));
-  glBindTexture(this->textureTarget, target.getDepthTexture());
+  this->boundMask = this->bind(state, target.getMaskTexture());
+  this->boundDepth = this->bind(state, target.getDepthTexture());
 
   const DepthRange& depth = effect.getDepthRange();
   this->reversed = depth.reversed;
@@ -144,16 +140,27 @@ void LightingHook::begin(vtkOpenGLState* state, ShadowVolumeEffect& effect, cons
   }
 }
 
+LightingHook::BoundTexture LightingHook::bind(vtkOpenGLState* state, unsigned int texture) const
+{
+  BoundTexture bound;
+  bound.unit = state->GetTextureUnitManager()->Allocate();
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(bound.unit));
+  const bool single = this->textureTarget == GL_TEXTURE_2D;
+  glGetIntegerv(single ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_MULTISAMPLE, &bound.before);
+  glBindTexture(this->textureTarget, texture);
+  return bound;
+}
+
 void LightingHook::end(vtkOpenGLState* state)
 {
-  for (int* unit : {&this->maskUnit, &this->depthUnit})
+  for (BoundTexture* bound : {&this->boundMask, &this->boundDepth})
   {
-    if (*unit >= 0)
+    if (bound->unit >= 0)
     {
-      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(*unit));
-      glBindTexture(this->textureTarget, 0);
-      state->GetTextureUnitManager()->Free(*unit);
-      *unit = -1;
+      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(bound->unit));
+      glBindTexture(this->textureTarget, static_cast<GLuint>(bound->before));
+      state->GetTextureUnitManager()->Free(bound->unit);
+      *bound = {};
     }
   }
 }
@@ -172,7 +179,7 @@ void LightingHook::setUniforms(vtkOpenGLState* state, vtkShaderProgram* program)
   std::copy_n(this->strength.begin(), std::min<std::size_t>(this->strength.size(), maximumLights),
               values.begin());
   program->SetUniform1fv("shadowStrength", maximumLights, values.data());
-  program->SetUniformi("shadowMask", this->maskUnit);
+  program->SetUniformi("shadowMask", this->boundMask.unit);
   // That of the moment: ambient occlusion draws into a framebuffer of its own, where the view begins at 0, 0.
   int viewport[4] = {0, 0, 0, 0};
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
@@ -185,7 +192,7 @@ void LightingHook::setUniforms(vtkOpenGLState* state, vtkShaderProgram* program)
   }
   if (program->IsUniformUsed("shadowDepth"))
   {
-    program->SetUniformi("shadowDepth", this->depthUnit);
+    program->SetUniformi("shadowDepth", this->boundDepth.unit);
     program->SetUniform4f("shadowRange", this->range);
     program->SetUniformi("shadowReversed", this->reversed ? 1 : 0);
     const int places = static_cast<int>(this->samplePlaces->size() / 2);

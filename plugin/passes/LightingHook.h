@@ -44,8 +44,16 @@ public:
   bool knowsCoverage = false;  ///< of the GL: shaders can ask which samples a fragment covers
 
 private:
-  int maskUnit = -1;
-  int depthUnit = -1;
+  /// A texture of ours in a unit that VTK has given.
+  struct BoundTexture
+  {
+    int unit = -1;
+    int before = 0; ///< what was bound there
+  };
+  BoundTexture bind(vtkOpenGLState* state, unsigned int texture) const;
+
+  BoundTexture boundMask;
+  BoundTexture boundDepth;
   unsigned int textureTarget = 0;
   const std::vector<float>* samplePlaces = nullptr; ///< of the mask, while it is bound
   float range[4] = {0.0f, 0.0f, 0.0f, 0.0f};

@@ -25,8 +25,11 @@ void PassContext::acquire(const std::function<void()>& forget)
   if (this->sentinel->GetHandle() == 0)
   {
     forget();
+    GLint before = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
     this->sentinel->SetContext(this->window);
     this->sentinel->Allocate2D(1, 1, 4, VTK_UNSIGNED_CHAR);
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
   }
 }
 

@@ -63,8 +63,11 @@ public:
     {
       return this->findIn(sequence->GetPasses(), place);
     }
-    place.camera =
-        place.camera || tree->IsA("vtkCameraPass") != 0 || tree->IsA("vtkSilhouettePass") != 0;
+    // A filter has a framebuffer of its own, which is as it made it.
+    const bool filters = tree->IsA("vtkSSAAPass") != 0 || tree->IsA("vtkImageProcessingPass") != 0;
+    const bool setsCamera = tree->IsA("vtkCameraPass") != 0 || tree->IsA("vtkSilhouettePass") != 0;
+    place.camera = !filters && (place.camera || setsCamera);
+    place.drawnBefore = !filters && place.drawnBefore;
     return this->find(delegateOf(tree), place);
   }
 

@@ -3,17 +3,40 @@
 
 #include <algorithm>
 
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderState.h>
 
 #include "OpenGL.h"
 
+namespace
+{
+
+/// Whether a light is negative: a colour buffer has no place for that.
+bool takesLightAway(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch() != 0 && light->GetIntensity() < 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 bool vtkShadowVolumePass::vtkInternals::BeginLights(const vtkRenderPass* opaque)
 {
   std::string error = "lights cannot be added one by one under ambient occlusion or hidden line "
-                      "removal, to what is blended or without a depth test";
-  const bool ready = this->Passes.isPlain(opaque) && !this->Current->Builder.isAnyBlendedAsOpaque() &&
+                      "removal, to what is blended, without a depth test or where one takes light away";
+  const bool ready = this->Passes.isPlain(opaque) && !takesLightAway(this->Current->Context.getRenderer()) && !this->Current->Builder.isAnyBlendedAsOpaque() &&
                      glIsEnabled(GL_DEPTH_TEST) == GL_TRUE &&
                      this->Current->Lights.begin(this->Current->Context.getWindow()->GetState(), error);
   if (!ready)

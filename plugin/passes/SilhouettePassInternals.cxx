@@ -1,7 +1,9 @@
 #include "SilhouettePassInternals.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <vtkMapper.h>
 #include <vtkProp.h>
 #include <vtkRenderState.h>
 
@@ -19,6 +21,23 @@ bool hasMoreToBlend(const vtkRenderState* s)
                        return prop->GetVisibility() != 0 &&
                               (prop->HasTranslucentPolygonalGeometry() != 0 || prop->IsA("vtkVolume") != 0);
                      });
+}
+
+/// VTK pulls lines and points that lie on a surface nearer, by parameters of all mappers: these must not hide the
+/// surface's own lines.
+void allowForCoincidentLines(double widestLine, shadow::OutlineEffect::Settings& settings)
+{
+  if (widestLine == 0.0)
+  {
+    return;
+  }
+  double lines[2] = {0.0, 0.0};
+  double points[2] = {0.0, 0.0};
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(lines[0], lines[1]);
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(points[1]);
+  constexpr double unit = 1.0 / 65000.0; // as VTK's shaders have it
+  settings.windowTolerance += 1.05 * unit * std::max(std::abs(lines[1]), std::abs(points[1]));
+  settings.windowReach += 1.0 + 0.5 * widestLine + std::abs(lines[0]);
 }
 
 } // namespace
@@ -73,6 +92,7 @@ void vtkSilhouettePass::vtkInternals::DrawLines(vtkSilhouettePass* self, const v
   settings.crease = self->CreaseEdges;
   settings.featureAngle = self->FeatureAngle;
   settings.behindWindow = state.Builder.isMoreDrawn() || renderer->GetPreserveDepthBuffer() != 0;
+  allowForCoincidentLines(state.Builder.getWidestLine(), settings);
   settings.keepsDepth = keepsDepth && hasMoreToBlend(s);
   settings.waitAfterStages = self->MeasureStages;
   shadow::OutlineEffect::Look look;

@@ -157,7 +157,8 @@ public:
    * Mask (default) or Additive. Additive adds in display space, so physically based actors, whose shader ends
    * in a gamma curve, are drawn as in Mask also there. It gives way to Mask, which GetStatusMessage() then
    * tells, with UseSSAO and UseHiddenLineRemoval, over what is blended although it is drawn as opaque, without
-   * a depth test, and in a framebuffer whose depth cannot be shared.
+   * a depth test, with lights of negative intensity, and in a framebuffer whose depth cannot be shared or that
+   * has several colour buffers, as below a vtkSSAOPass.
    */
   vtkSetClampMacro(Compositing, int, COMPOSITING_MASK, COMPOSITING_ADDITIVE);
   vtkGetMacro(Compositing, int);

@@ -2,14 +2,16 @@
 // unif windowDepths     sampler2D  window depth, of the view without its margin
 // unif windowMargin     int        columns and rows by which the lines' target is wider, on each side
 // unif windowFromDepth  vec2       window depth = x + y * depth of pass 1
+// unif windowTolerance  float      how much nearer the window's depth has to be
+// unif windowReach      float      pixels, by whose change of depth it has to be nearer still; and around a pixel, in
+//                                  which surfaces count that are as near: lines on one reach over its rim
 #include "outlines/outlineVisibility.glsl"
 uniform sampler2D windowDepths;
 uniform int windowMargin;
 uniform vec2 windowFromDepth;
 
-// What VTK brings lines and points of a surface nearer by, so that they show: eight units of 1/65000, and the
-// slope.
-const float windowTolerance = 1.25e-4;
+uniform float windowTolerance;
+uniform float windowReach;
 
 // The nearest that pass 1 is in a pixel and a little around it, as window depth; less the change of depth in
 // a pixel. Nothing is as far as can be.
@@ -19,9 +21,11 @@ float nearestInPixel(ivec2 pixel)
   ivec2 last = textureSize(depths, 0) - 1;
   float farthest = nearSign > 0.0 ? 0.0 : 1.0;
   float nearest = windowFromDepth.x + windowFromDepth.y * farthest;
-  for (int row = -1; row <= scale; ++row)
+  int around = max(1, int(ceil((windowReach - 1.0) * depthScale)));
+  int stride = around > 1 ? 2 : 1;
+  for (int row = -around; row < scale + around; row += stride)
   {
-    for (int column = -1; column <= scale; ++column)
+    for (int column = -around; column < scale + around; column += stride)
     {
       ivec2 texel = clamp(scale * pixel + ivec2(column, row), ivec2(0), last);
       float depth = texelFetch(depths, texel, 0).x;
@@ -29,7 +33,7 @@ float nearestInPixel(ivec2 pixel)
       {
         vec2 slope = abs(depth * texelFetch(slopes, texel, 0).xy);
         nearest = min(nearest, windowFromDepth.x + windowFromDepth.y * depth -
-                                   abs(windowFromDepth.y) * depthScale * (slope.x + slope.y));
+                                   abs(windowFromDepth.y) * windowReach * depthScale * (slope.x + slope.y));
       }
     }
   }

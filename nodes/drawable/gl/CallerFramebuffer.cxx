@@ -28,6 +28,8 @@ CallerFramebuffer CallerFramebuffer::query()
   caller.name = static_cast<unsigned int>(value);
   glGetIntegerv(GL_SAMPLES, &value);
   caller.samples = std::max(1, value);
+  glGetIntegerv(GL_DRAW_BUFFER1, &value);
+  caller.hasMoreColours = value != GL_NONE;
   const bool isDefault = caller.name == 0;
   caller.depthType = getDepthParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, isDefault);
   if (caller.depthType == GL_NONE)

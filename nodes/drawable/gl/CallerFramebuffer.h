@@ -8,6 +8,7 @@ struct CallerFramebuffer
 {
   unsigned int name = 0;
   int samples = 1;
+  bool hasMoreColours = false; ///< a second draw buffer
   int depthType = 0; ///< GL_TEXTURE, GL_RENDERBUFFER, GL_FRAMEBUFFER_DEFAULT; GL_NONE: no depth
   unsigned int depthName = 0;
   int depthLevel = 0;         ///< of a texture

@@ -53,9 +53,10 @@ bool LightTarget::allocate(int newWidth, int newHeight, int newSamples)
 bool LightTarget::begin(vtkOpenGLState* state, std::string& error)
 {
   this->caller = CallerFramebuffer::query();
-  if (!this->caller.canShareDepth())
+  if (!this->caller.canShareDepth() || this->caller.hasMoreColours)
   {
-    error = "lights cannot be added one by one here: the framebuffer has no depth that can be shared";
+    error = "lights cannot be added one by one here: the framebuffer has no depth that can be shared, or more "
+            "than one colour buffer";
     return false;
   }
   int viewport[4] = {0, 0, 0, 0};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <vtkActor.h>
+#include <vtkImageActor.h>
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
@@ -21,12 +22,22 @@ FaceCulling faceCullingOf(vtkActor* actor)
                                                          : (front ? FaceCulling::Front : FaceCulling::None);
 }
 
-bool isBlendedAsOpaque(vtkActor* actor)
+bool isBlendedAsOpaque(vtkProp* prop)
 {
+  if (auto* image = vtkImageActor::SafeDownCast(prop))
+  {
+    return image->GetForceOpaque();
+  }
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor != nullptr ? actor->GetMapper() : nullptr;
+  if (mapper == nullptr || mapper->IsA("vtkPointGaussianMapper"))
+  {
+    return mapper != nullptr;
+  }
   vtkTexture* texture = actor->GetTexture();
   return actor->GetForceOpaque() &&
-         (actor->GetProperty()->GetOpacity() < 1.0 || actor->GetMapper()->HasTranslucentPolygonalGeometry() ||
-          (texture != nullptr && texture->IsTranslucent() != 0));
+         (actor->GetProperty()->GetOpacity() < 1.0 || mapper->IsA("vtkGlyph3DMapper") ||
+          mapper->HasTranslucentPolygonalGeometry() || (texture != nullptr && texture->IsTranslucent() != 0));
 }
 
 bool letsThrough(vtkActor* actor)
@@ -43,6 +54,16 @@ bool letsThrough(vtkActor* actor)
 bool mayBeOpaque(vtkProp* prop)
 {
   return prop->IsA("vtkActor2D") == 0 && prop->IsA("vtkVolume") == 0 && prop->HasOpaqueGeometry() != 0;
+}
+
+bool drawsLines(vtkActor* actor)
+{
+  auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  // What a glyph mapper is given are places, not cells to draw.
+  const bool hasOtherCells = data != nullptr && !actor->GetMapper()->IsA("vtkGlyph3DMapper") &&
+                             data->GetNumberOfVerts() + data->GetNumberOfLines() > 0;
+  return hasOtherCells || actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
+         actor->GetProperty()->GetEdgeVisibility() != 0;
 }
 
 bool hasLinesOrPoints(vtkActor* actor, const std::vector<vtkPolyData*>& drawn)

@@ -50,6 +50,7 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
   this->triangles = 0;
   this->seenThrough = false;
   this->moreDrawn = false;
+  this->widestLine = 0.0;
   this->blendedAsOpaque = false;
   this->unlit = 0;
   this->propNumber = -1;
@@ -85,6 +86,7 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
       visible = visible && node->GetViewProp()->GetVisibility() != 0;
     }
     vtkActor* actor = vtkActor::SafeDownCast(path.back());
+    this->blendedAsOpaque = this->blendedAsOpaque || (visible && isBlendedAsOpaque(path.back()));
     if (!visible || path.back()->IsA("vtkSkybox") != 0)
     {
       continue; // a skybox is a backdrop: its cube is nowhere in the scene
@@ -96,6 +98,7 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
       {
         this->mappersOfOthers.insert(actor->GetMapper());
         this->moreDrawn = this->moreDrawn || actor->HasOpaqueGeometry() != 0;
+        this->noteLines(actor, drawsLines(actor));
       }
       continue;
     }
@@ -116,9 +119,8 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     return;
   }
   mapper->Update();
-  const bool isBlended = isBlendedAsOpaque(actor);
-  this->blendedAsOpaque = this->blendedAsOpaque || isBlended;
-  if (!actor->HasOpaqueGeometry() || isBlended)
+  const bool isForced = actor->GetForceOpaque() && isBlendedAsOpaque(actor);
+  if (!actor->HasOpaqueGeometry() || isForced)
   {
     this->skip(actor, "it is translucent");
     return;
@@ -187,7 +189,9 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     }
     this->seenThrough = this->seenThrough || letsThrough(actor);
     const auto unusable = std::count(placed.shown.begin(), placed.shown.end(), nullptr);
-    this->moreDrawn = this->moreDrawn || unusable > 0 || hasLinesOrPoints(actor, drawn);
+    const bool hasLines = hasLinesOrPoints(actor, drawn);
+    this->moreDrawn = this->moreDrawn || unusable > 0 || hasLines;
+    this->noteLines(actor, hasLines || actor->GetProperty()->GetEdgeVisibility() != 0);
   }
 }
 
@@ -247,6 +251,16 @@ vtkProp* SceneBuilder::findActor(const Node* transform) const
   const auto places = std::count_if(this->transforms.begin(), this->transforms.end(),
                                     [&](const auto& entry) { return entry.first.back() == actor; });
   return places == 1 ? actor : nullptr;
+}
+
+void SceneBuilder::noteLines(vtkActor* actor, bool hasLines)
+{
+  if (hasLines)
+  {
+    vtkProperty* property = actor->GetProperty();
+    this->widestLine = std::max({this->widestLine, 1.0, double{property->GetLineWidth()},
+                                 double{property->GetPointSize()}});
+  }
 }
 
 void SceneBuilder::refuse(const std::string& name, const std::string& reason, const Settings& settings)

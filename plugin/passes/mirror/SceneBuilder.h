@@ -55,6 +55,10 @@ public:
   /// points and edges of those that are.
   bool isMoreDrawn() const { return this->moreDrawn; }
 
+  /// Pixels of the widest line or point that VTK may draw and pull towards the eye: of wires, edges and other cells
+  /// than polygons. 0: there is none.
+  double getWidestLine() const { return this->widestLine; }
+
   /// True when an actor is blended over the others although VTK draws it as opaque.
   bool isAnyBlendedAsOpaque() const { return this->blendedAsOpaque; }
 
@@ -107,6 +111,7 @@ private:
   /// nullptr
   std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const std::shared_ptr<SEDGeode>& shownBefore,
                                      const Settings& settings, const std::string& name);
+  void noteLines(vtkActor* actor, bool hasLines);
   void refuse(const std::string& name, const std::string& reason, const Settings& settings);
   std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
   void skip(vtkProp* prop, const std::string& reason);
@@ -123,6 +128,7 @@ private:
   bool seenThrough = false;
   bool moreDrawn = false;
   bool blendedAsOpaque = false;
+  double widestLine = 0.0;
   std::size_t unlit = 0;
   std::string firstUnlit;
   int propNumber = -1; ///< of the prop that is being mirrored

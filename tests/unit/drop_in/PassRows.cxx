@@ -123,6 +123,19 @@ void attachBeforeLines(vtkRenderer* renderer, vtkRenderPass* ours)
   renderer->SetPass(ours == nullptr ? nullptr : sequence({ours, lines}));
 }
 
+void attachBelowSupersamplingAndLines(vtkRenderer* renderer, vtkRenderPass* ours)
+{
+  vtkNew<vtkSSAAPass> supersampling;
+  supersampling->SetDelegatePass(ours != nullptr ? ours : belowCamera(makeParts()).GetPointer());
+  vtkNew<vtkSilhouettePass> lines;
+  lines->SetDelegatePass(supersampling);
+  lines->SilhouetteEdgesOff();
+  lines->BorderEdgesOff();
+  // The lines' pass erases the window, also its depth, below which there is nothing else.
+  const vtkSmartPointer<vtkRenderPass> plain = belowCamera(supersampling);
+  renderer->SetPass(ours != nullptr ? vtkRenderPass::SafeDownCast(lines) : plain.GetPointer());
+}
+
 void attachInSequence(vtkRenderer* renderer, vtkRenderPass* ours)
 {
   const vtkSmartPointer<vtkRenderPass> opaque = ours != nullptr ? ours : vtkNew<vtkOpaquePass>().GetPointer();
@@ -176,6 +189,7 @@ std::vector<Row> filterRows()
 {
   std::vector<Row> rows{{"steps_below_tone_mapping", build, attachToStepsBelow}};
   addAbove<vtkSSAAPass>(rows, "ssaa");
+  rows.push_back({"ssaa_below_lines", build, attachBelowSupersamplingAndLines, filteredWays});
   addAbove<vtkEDLShading>(rows, "edl");
   addAbove<vtkGaussianBlurPass>(rows, "gaussian_blur");
   addAbove<vtkSobelGradientMagnitudePass>(rows, "sobel");

@@ -1,7 +1,6 @@
 #include <vtkAssembly.h>
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkCompositePolyDataMapper.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkConeSource.h>
 #include <vtkCubeSource.h>
 #include <vtkDataSetMapper.h>
@@ -28,6 +27,7 @@
 #include <vtkTexture.h>
 #include <vtkUnstructuredGrid.h>
 
+#include "CompositeMapper.h"
 #include "DropInCase.h"
 
 // Props of every kind that VTK draws in the scene.
@@ -161,9 +161,9 @@ void addBlocks(DropInScene& scene, double opacity)
 
 void colourBlocks(DropInScene& scene)
 {
-  addBlocks<vtkCompositePolyDataMapper2>(scene, 1.0);
+  addBlocks<truth::CompositeMapper>(scene, 1.0);
   auto* actor = vtkActor::SafeDownCast(scene.renderer->GetActors()->GetLastActor());
-  auto* mapper = vtkCompositePolyDataMapper2::SafeDownCast(actor->GetMapper());
+  auto* mapper = truth::CompositeMapper::SafeDownCast(actor->GetMapper());
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
   mapper->SetBlockColor(1, 0.1, 0.9, 0.1);
@@ -232,8 +232,8 @@ std::vector<Row> propRows()
       {"skybox", addSkybox},
       {"assembly", addAssembly<vtkAssembly>},
       {"prop_assembly", addAssembly<vtkPropAssembly>},
-      {"blocks", [](DropInScene& scene) { addBlocks<vtkCompositePolyDataMapper2>(scene, 1.0); }},
-      {"blocks_translucent", [](DropInScene& scene) { addBlocks<vtkCompositePolyDataMapper2>(scene, 0.5); }},
+      {"blocks", [](DropInScene& scene) { addBlocks<truth::CompositeMapper>(scene, 1.0); }},
+      {"blocks_translucent", [](DropInScene& scene) { addBlocks<truth::CompositeMapper>(scene, 0.5); }},
       {"blocks_of_their_own_colours", colourBlocks},
       {"blocks_one_by_one", [](DropInScene& scene) { addBlocks<vtkCompositePolyDataMapper>(scene, 1.0); }},
       {"unstructured_grid", addGrid},
