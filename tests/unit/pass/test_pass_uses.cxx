@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <map>
 
 #include <vtkActor2D.h>
@@ -200,6 +201,32 @@ TEST(PassUse, OverlayProps_DrawnAsWithoutShadows)
   addOverlay(scene);
   ASSERT_GT(countDifferent(plainPicture(scene), without, 20), 1000u) << "the overlay cannot be seen";
   expectDrawnAsWithoutShadows(scene);
+}
+
+// Red is the left eye's picture, green and blue are the right one's.
+TEST(PassUse, Stereo_EachEyeHasItsOwnShadow)
+{
+  BallScene scene;
+  scene.window->StereoRenderOn();
+  const auto pictureOf = [&scene](int type)
+  {
+    scene.window->SetStereoType(type);
+    return scene.renderPicture();
+  };
+  const Pixels left = pictureOf(VTK_STEREO_LEFT);
+  const Pixels right = pictureOf(VTK_STEREO_RIGHT);
+  const Pixels both = pictureOf(VTK_STEREO_RED_BLUE);
+  ASSERT_GT(countDifferent(left, right, 20), 500u);
+  // VTK makes each eye's picture grey, by weights of its own.
+  const auto grey = [](const Pixels& picture, std::size_t pixel)
+  { return (picture[pixel] + picture[pixel + 1] + picture[pixel + 2]) / 3; };
+  int wrong = 0;
+  for (std::size_t pixel = 0; pixel < both.size(); pixel += 3)
+  {
+    wrong += std::abs(both[pixel] - grey(left, pixel)) > 3 ? 1 : 0;
+    wrong += std::abs(both[pixel + 2] - grey(right, pixel)) > 3 ? 1 : 0;
+  }
+  EXPECT_EQ(wrong, 0);
 }
 
 TEST(PassUse, HardwareSelector_SameHitsWithAndWithoutPass)
