@@ -5,6 +5,7 @@ project_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_folder=$project_folder/build
 
 # What is needed: Debian's package, and how to see that it is there. A library that was installed in another way counts.
+# Of alternatives the first is taken that this system has packages of, or has already.
 needs=(
   "g++                command c++"
   "cmake              command cmake"
@@ -13,7 +14,7 @@ needs=(
   "python3-vtk9       python vtkmodules"
   "libopenmesh-dev    header OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh"
   "libglm-dev         header glm/glm.hpp"
-  "libosmesa6-dev     header GL/osmesa.h"
+  "libosmesa6|libegl1 library libOSMesa.so.|libEGL.so.1"
   "libcli11-dev       header CLI/CLI.hpp"
   "nlohmann-json3-dev header nlohmann/json.hpp"
   "libgtest-dev       header gtest/gtest.h"
@@ -37,9 +38,15 @@ find_python() {
   return 1
 }
 
+# A package that a list of packages knows.
+has_package() { # package
+  command -v apt-cache >/dev/null && [ -n "$(apt-cache madison "$1" 2>/dev/null)" ]
+}
+
 is_there() { # kind what
   local folder
   case $1 in
+    library) PATH=$PATH:/sbin:/usr/sbin ldconfig -p | grep -qF "$2" ;;
     command) command -v "$2" >/dev/null ;;
     python) find_python >/dev/null ;;
     header)
@@ -52,10 +59,18 @@ is_there() { # kind what
 }
 
 list_missing() {
-  local need package kind what
+  local need package kind what packages names i
   for need in "${needs[@]}"; do
     read -r package kind what <<<"$need"
-    is_there "$kind" "$what" || printf '%s ' "$package"
+    IFS='|' read -r -a packages <<<"$package"
+    IFS='|' read -r -a names <<<"$what"
+    for i in "${!packages[@]}"; do
+      is_there "$kind" "${names[i]}" && break
+      if has_package "${packages[i]}" || [ "$i" -eq $((${#packages[@]} - 1)) ]; then
+        printf '%s ' "${packages[i]}"
+        break
+      fi
+    done
   done
 }
 
@@ -83,6 +98,7 @@ install_missing() {
   : >"$build_folder/setup.log"
   as_root+=(env DEBIAN_FRONTEND=noninteractive)
   quietly "${as_root[@]}" apt-get update
+  read -r -a missing <<<"$(list_missing)" # now that it is known which packages there are
   quietly "${as_root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"
   read -r -a missing <<<"$(list_missing)"
   [ ${#missing[@]} -eq 0 ] || stop "still missing after the installation: ${missing[*]}"

@@ -19,6 +19,13 @@
 // 9.7 keeps a renderer's props in a vector instead of an array.
 #define VTKSHADOW_PROPS_ARE_A_VECTOR VTKSHADOW_VTK_AT_LEAST(9, 7)
 
+// 9.6 has the types of an unstructured grid's cells in an array of any type.
+#if VTKSHADOW_VTK_AT_LEAST(9, 6)
+#define VTKSHADOW_CELL_TYPES(grid) (grid)->GetCellTypes()
+#else
+#define VTKSHADOW_CELL_TYPES(grid) (grid)->GetCellTypesArray()
+#endif
+
 // 9.4 loads GL functions through glad, and lets a window say how.
 #define VTKSHADOW_WINDOW_LOADS_SYMBOLS VTKSHADOW_VTK_AT_LEAST(9, 4)
 

@@ -21,32 +21,44 @@ std::unique_ptr<HeadlessContext> make()
   return context;
 }
 
-std::string chosenBackend()
+/// By name; empty: whatever there is. It is one GL for the whole process, so the first that gives a context is
+/// kept.
+std::string& chosenBackend()
 {
-  const char* value = std::getenv("VTKSHADOW_HEADLESS");
-  return value != nullptr && *value != '\0' ? value : "osmesa";
+  static std::string chosen = []
+  {
+    const char* value = std::getenv("VTKSHADOW_HEADLESS");
+    return std::string(value != nullptr ? value : "");
+  }();
+  return chosen;
 }
 
 } // namespace
 
 std::unique_ptr<HeadlessContext> makeHeadlessContext(std::string& error)
 {
-  static const std::string backend = chosenBackend();
-  try
+  std::string& chosen = chosenBackend();
+  if (!chosen.empty() && chosen != "osmesa" && chosen != "egl")
   {
-    if (backend == "osmesa")
-    {
-      return make<OSMesaContext>();
-    }
-    if (backend == "egl")
-    {
-      return make<EGLContext>();
-    }
-    error = "VTKSHADOW_HEADLESS is " + backend + ", and not osmesa or egl";
+    error = "VTKSHADOW_HEADLESS is " + chosen + ", and not osmesa or egl";
+    return nullptr;
   }
-  catch (const std::runtime_error& reason)
+  for (const std::string backend : {"osmesa", "egl"})
   {
-    error = reason.what();
+    if (!chosen.empty() && chosen != backend)
+    {
+      continue;
+    }
+    try
+    {
+      auto context = backend == "egl" ? make<EGLContext>() : make<OSMesaContext>();
+      chosen = backend;
+      return context;
+    }
+    catch (const std::runtime_error& reason)
+    {
+      error += (error.empty() ? "" : "; ") + std::string(reason.what());
+    }
   }
   return nullptr;
 }

@@ -33,9 +33,9 @@ public:
   static constexpr int bufferSize = 16;
 };
 
-/// A context of the GL that the environment variable VTKSHADOW_HEADLESS names: osmesa (also when it is not
-/// set), in software, or egl, a GPU where there is one. The first call decides for the whole process, because
-/// GL functions are looked up only once.
+/// A context of the GL that the environment variable VTKSHADOW_HEADLESS names: osmesa, in software, or egl, a
+/// GPU where there is one; when it is not set, the first of these that there is. The first call that succeeds
+/// decides for the whole process, because GL functions are looked up only once.
 ///
 /// @return null, with a line in @p error, when there is no such GL or it has no OpenGL 3.2 core profile
 std::unique_ptr<HeadlessContext> makeHeadlessContext(std::string& error);

@@ -1,11 +1,10 @@
 #include "OSMesaContext.h"
 
-#include <GL/osmesa.h>
-
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 
+#include "OSMesaFunctions.h"
 #include "SharedLibrary.h"
 
 namespace shadow
@@ -16,13 +15,13 @@ namespace
 
 struct OSMesa
 {
-  decltype(&OSMesaCreateContextAttribs) createContextAttribs = nullptr;
-  decltype(&OSMesaDestroyContext) destroyContext = nullptr;
-  decltype(&OSMesaGetColorBuffer) getColorBuffer = nullptr;
-  decltype(&OSMesaGetCurrentContext) getCurrentContext = nullptr;
-  decltype(&OSMesaGetIntegerv) getIntegerv = nullptr;
-  decltype(&OSMesaGetProcAddress) getProcAddress = nullptr;
-  decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
+  osmesa::CreateContextAttribs* createContextAttribs = nullptr;
+  osmesa::DestroyContext* destroyContext = nullptr;
+  osmesa::GetColorBuffer* getColorBuffer = nullptr;
+  osmesa::GetCurrentContext* getCurrentContext = nullptr;
+  osmesa::GetIntegerv* getIntegerv = nullptr;
+  osmesa::GetProcAddress* getProcAddress = nullptr;
+  osmesa::MakeCurrent* makeCurrent = nullptr;
 
   OSMesa()
   {
@@ -52,17 +51,17 @@ OSMesaContext::OSMesaContext()
   // The highest core profile OSMesa gives; VTK needs 3.2.
   for (const auto& version : {std::pair<int, int>{4, 5}, {3, 3}, {3, 2}})
   {
-    const int attributes[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_DEPTH_BITS,
+    const int attributes[] = {osmesa::format,
+                              osmesa::rgba,
+                              osmesa::depthBits,
                               24,
-                              OSMESA_STENCIL_BITS,
+                              osmesa::stencilBits,
                               8,
-                              OSMESA_PROFILE,
-                              OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              osmesa::profile,
+                              osmesa::coreProfile,
+                              osmesa::majorVersion,
                               version.first,
-                              OSMESA_CONTEXT_MINOR_VERSION,
+                              osmesa::minorVersion,
                               version.second,
                               0};
     this->context = osMesa().createContextAttribs(attributes, nullptr);
@@ -78,16 +77,16 @@ OSMesaContext::~OSMesaContext()
 {
   if (this->isCurrent())
   {
-    osMesa().makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    osMesa().makeCurrent(nullptr, nullptr, osmesa::unsignedByte, 0, 0);
   }
-  osMesa().destroyContext(static_cast<::OSMesaContext>(this->context));
+  osMesa().destroyContext(this->context);
 }
 
 bool OSMesaContext::makeCurrent()
 {
   return this->isCurrent() ||
-         osMesa().makeCurrent(static_cast<::OSMesaContext>(this->context), this->buffer.data(),
-                              GL_UNSIGNED_BYTE, bufferSize, bufferSize) == GL_TRUE;
+         osMesa().makeCurrent(this->context, this->buffer.data(), osmesa::unsignedByte, bufferSize,
+                              bufferSize) != 0;
 }
 
 bool OSMesaContext::isCurrent() const
@@ -97,22 +96,22 @@ bool OSMesaContext::isCurrent() const
 
 std::function<void()> OSMesaContext::rememberCurrent() const
 {
-  ::OSMesaContext before = osMesa().getCurrentContext();
+  const osmesa::Context before = osMesa().getCurrentContext();
   void* pixels = nullptr;
-  GLint width = 0;
-  GLint height = 0;
-  GLint format = 0;
-  GLint type = GL_UNSIGNED_BYTE;
+  int width = 0;
+  int height = 0;
+  int format = 0;
+  int type = static_cast<int>(osmesa::unsignedByte);
   if (before != nullptr)
   {
     osMesa().getColorBuffer(before, &width, &height, &format, &pixels);
-    osMesa().getIntegerv(OSMESA_TYPE, &type);
+    osMesa().getIntegerv(osmesa::type, &type);
   }
   return [=]
   {
     if (osMesa().getCurrentContext() != before)
     {
-      osMesa().makeCurrent(before, pixels, static_cast<GLenum>(type), width, height);
+      osMesa().makeCurrent(before, pixels, static_cast<unsigned int>(type), width, height);
     }
   };
 }

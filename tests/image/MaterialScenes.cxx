@@ -96,7 +96,7 @@ void makeTranslucentAndOverlay(truth::ShadowScene& scene)
   text->SetInput("shadow volumes");
   text->SetPosition(12.0, 10.0);
   text->GetTextProperty()->SetFontSize(20);
-  scene.renderer->AddActor2D(text);
+  scene.renderer->AddViewProp(text);
   scene.addPointLight(-2.0, 3.5, 2.0);
 }
 

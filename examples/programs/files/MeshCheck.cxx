@@ -22,6 +22,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "../../../plugin/vtkShadowCompat.h"
+
 namespace shadow::examples
 {
 namespace
@@ -90,8 +92,8 @@ std::string findDamagedCell(vtkCellArray* cells, vtkIdType points)
 std::string findWrongCellType(vtkUnstructuredGrid* grid)
 {
   if (grid->GetNumberOfCells() > 0 &&
-      (grid->GetCellTypesArray() == nullptr ||
-       grid->GetCellTypesArray()->GetNumberOfTuples() != grid->GetNumberOfCells()))
+      (VTKSHADOW_CELL_TYPES(grid) == nullptr ||
+       VTKSHADOW_CELL_TYPES(grid)->GetNumberOfTuples() != grid->GetNumberOfCells()))
   {
     return "not every cell has a type";
   }

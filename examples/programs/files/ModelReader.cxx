@@ -59,7 +59,7 @@ std::vector<RawPart> readWith(const std::string& file, std::vector<std::string>&
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
-  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  const vtkSmartPointer<vtkDataSet> data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   return data != nullptr ? std::vector<RawPart>{{data, std::nullopt, 1.0}} : std::vector<RawPart>{};
 }
 

@@ -32,7 +32,9 @@ void FacingTexture::bindFacing(vtkShaderProgram* program, const Surface& surface
                                 static_cast<unsigned int>(program->GetHandle()), facingUnit, "facingTexels",
                                 "facingLayer");
   const VETRange* range = this->getFrame().collection->find(*surface.path);
-  program->SetUniformi("firstTriangle", range != nullptr ? static_cast<int>(range->firstTriangle) : 0);
+  // Not through VTK, which remembers values from 9.7 on: other methods set it for programs of both kinds.
+  glUniform1i(glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), "firstTriangle"),
+              range != nullptr ? static_cast<GLint>(range->firstTriangle) : 0);
 }
 
 void FacingTexture::getFacing(const NodePath& path, const Light& light, LightFacing& facing) const

@@ -3,8 +3,8 @@
     import vtkshadow.headless
 
 It stands in front of the system's GL for the whole process; the window to use is then vtkshadow.vtkHeadlessRenderWindow.
-The environment variable VTKSHADOW_HEADLESS chooses what draws: `osmesa` (default), a renderer in software, or `egl`, a GPU
-where there is one.
+The environment variable VTKSHADOW_HEADLESS chooses what draws: `osmesa`, a renderer in software, or `egl`, a GPU where
+there is one. Not set: the first of these that is there.
 """
 
 import ctypes
@@ -31,19 +31,29 @@ def _load(names, missing, mode):
     raise ImportError(missing + ": " + "; ".join(reasons))
 
 
+def _load_backend(choices):
+    """Loads the first that there is. The window will look for them in the same order."""
+    reasons = []
+    for choice in choices:
+        names, title, package = _BACKENDS[choice]
+        missing = f"vtkshadow.headless needs {title}, which was not found (Debian: {package})"
+        try:
+            return _load(names, missing, ctypes.RTLD_LOCAL)
+        except ImportError as error:
+            reasons.append(str(error))
+    raise ImportError("; or ".join(reasons))
+
+
 def _stand_in_front_of_gl():
     if "vtkmodules" in sys.modules:
         raise ImportError(
             "vtkshadow.headless has to be imported before vtkmodules (or vtk, or pyvista): "
             "VTK has already loaded the GL of the system"
         )
-    choice = os.environ.get("VTKSHADOW_HEADLESS") or "osmesa"
-    if choice not in _BACKENDS:
+    choice = os.environ.get("VTKSHADOW_HEADLESS", "")
+    if choice and choice not in _BACKENDS:
         raise ImportError(f"VTKSHADOW_HEADLESS is {choice}, and not osmesa or egl")
-    names, title, package = _BACKENDS[choice]
-    backend = _load(
-        names, f"vtkshadow.headless needs {title}, which was not found (Debian: {package})", ctypes.RTLD_LOCAL
-    )
+    backend = _load_backend([choice] if choice else list(_BACKENDS))
     folder = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), LIBRARIES))
     # Globally, so that its symbols come before those of libraries loaded later.
     shim = _load(

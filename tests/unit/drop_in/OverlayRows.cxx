@@ -57,7 +57,7 @@ void addText(DropInScene& scene)
   text->SetInput("drop-in");
   text->SetPosition(10, 10);
   text->GetTextProperty()->SetFontSize(24);
-  scene.renderer->AddActor2D(text);
+  scene.renderer->AddViewProp(text);
 }
 
 void addScalarBar(DropInScene& scene)
@@ -67,7 +67,7 @@ void addScalarBar(DropInScene& scene)
   table->Build();
   bar->SetLookupTable(table);
   bar->SetTitle("height");
-  scene.renderer->AddActor2D(bar);
+  scene.renderer->AddViewProp(bar);
 }
 
 void addCubeAxes(DropInScene& scene)
@@ -111,7 +111,7 @@ void addLabels(DropInScene& scene)
   mapper->SetInputConnection(scene.ball->GetOutputPort());
   vtkNew<vtkActor2D> labels;
   labels->SetMapper(mapper);
-  scene.renderer->AddActor2D(labels);
+  scene.renderer->AddViewProp(labels);
 }
 
 vtkSmartPointer<vtkTable> makeCurve()
@@ -148,7 +148,7 @@ void addPlot(DropInScene& scene)
   plot->AddDataSetInput(sampled);
   plot->SetPosition(0.1, 0.1);
   plot->SetPosition2(0.7, 0.7);
-  scene.renderer->AddActor2D(plot);
+  scene.renderer->AddViewProp(plot);
 }
 
 void addChart(DropInScene& scene)
@@ -201,8 +201,8 @@ void addHandles(DropInScene& scene)
 std::vector<Row> overlayRows()
 {
   return {
-      {"actor_2d", [](DropInScene& scene) { scene.renderer->AddActor2D(makeDisk(1.0)); }},
-      {"actor_2d_translucent", [](DropInScene& scene) { scene.renderer->AddActor2D(makeDisk(0.5)); }},
+      {"actor_2d", [](DropInScene& scene) { scene.renderer->AddViewProp(makeDisk(1.0)); }},
+      {"actor_2d_translucent", [](DropInScene& scene) { scene.renderer->AddViewProp(makeDisk(0.5)); }},
       {"text", addText},
       {"scalar_bar", addScalarBar},
       {"cube_axes", addCubeAxes},

@@ -298,7 +298,7 @@ TEST(OutlineWindowDepth, Overlay_LiesOverLines)
     vtkNew<vtkActor2D> sheet;
     sheet->SetMapper(mapper);
     sheet->GetProperty()->SetColor(0.2, 0.4, 0.8);
-    scene.renderer->AddActor2D(sheet);
+    scene.renderer->AddViewProp(sheet);
     const Pixels picture = scene.renderPicture();
     Pixels sheetAlone(picture.size());
     for (std::size_t i = 0; i < picture.size(); ++i)

@@ -1,6 +1,7 @@
 """The installed Python package, seen from outside: python_import.py CASE, a function below."""
 
 import ctypes
+import ctypes.util
 import os
 import sys
 
@@ -25,16 +26,33 @@ def vtk_first():
     expect_import_error(["before", "vtkmodules"])
 
 
-def expect_import_error_without(library):
+def hide(*libraries):
     load = ctypes.CDLL
 
     def load_others(name, *arguments, **settings):
-        if name is not None and library in name:
+        if name is not None and any(library in name for library in libraries):
             raise OSError(name + ": cannot open shared object file")
         return load(name, *arguments, **settings)
 
     ctypes.CDLL = load_others
+
+
+def expect_import_error_without(library):
+    hide(library)
     expect_import_error([library, "not found"])
+
+
+def nothing_chosen():
+    """Either does; without both the error names both."""
+    os.environ.pop("VTKSHADOW_HEADLESS", None)
+    hide("OSMesa", "EGL")
+    expect_import_error(["OSMesa", "EGL", "not found"])
+
+
+def nothing_chosen_no_osmesa():
+    os.environ.pop("VTKSHADOW_HEADLESS", None)
+    hide("OSMesa")
+    import vtkshadow.headless
 
 
 def no_osmesa():
@@ -106,19 +124,31 @@ def make_scene():
     return renderer
 
 
+def is_there(name):
+    try:
+        ctypes.CDLL(name)
+    except OSError as error:
+        print(f"SKIPPED: there is no {name} to test: {error}")
+        return False
+    return True
+
+
 def renders_by_osmesa():
-    os.environ["VTKSHADOW_HEADLESS"] = ""
-    renders("OSMesa")
+    os.environ["VTKSHADOW_HEADLESS"] = "osmesa"
+    if is_there("libOSMesa.so.8"):
+        renders("OSMesa")
 
 
 def renders_by_egl():
     os.environ["VTKSHADOW_HEADLESS"] = "egl"
-    try:
-        ctypes.CDLL("libEGL.so.1")
-    except OSError as error:
-        print("SKIPPED: there is no libEGL to test: " + str(error))
-        return
-    renders("EGL")
+    if is_there("libEGL.so.1"):
+        renders("EGL")
+
+
+def renders_by_what_there_is():
+    os.environ.pop("VTKSHADOW_HEADLESS", None)
+    has_osmesa = ctypes.util.find_library("OSMesa") is not None
+    renders("OSMesa" if has_osmesa else "EGL")
 
 
 def renders(backend):
@@ -176,7 +206,18 @@ def expect_outlines(renderer, window, shadows):
         fail("%d pixels are lines" % lines)
 
 
-CASES = (renders_by_osmesa, renders_by_egl, vtk_first, no_osmesa, no_egl, unknown_backend, without_headless)
+CASES = (
+    renders_by_osmesa,
+    renders_by_egl,
+    renders_by_what_there_is,
+    vtk_first,
+    no_osmesa,
+    no_egl,
+    nothing_chosen,
+    nothing_chosen_no_osmesa,
+    unknown_backend,
+    without_headless,
+)
 
 if __name__ == "__main__":
     {case.__name__: case for case in CASES}[sys.argv[1]]()

@@ -81,7 +81,7 @@ TEST_F(HeadlessEGL, TwoWindowsInTurns_EachKeepsItsPicture)
   EXPECT_EQ(countDifferent(first.renderMask(), firstMask), 0u);
 }
 
-TEST_F(HeadlessOSMesa, NothingChosen_DrawsByOSMesa)
+TEST_F(HeadlessOSMesa, NothingChosen_DrawsByOSMesaOrElseByEGL)
 {
   if (!this->chosen().empty())
   {
@@ -89,7 +89,9 @@ TEST_F(HeadlessOSMesa, NothingChosen_DrawsByOSMesa)
   }
   BallScene scene;
   EXPECT_LE(scene.compare().wrongCertain, rimPixels);
-  EXPECT_EQ(scene.window->GetBackend(), "OSMesa");
+  const bool hasOSMesa = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL) != nullptr ||
+                         dlopen("libOSMesa.so.6", RTLD_NOW | RTLD_LOCAL) != nullptr;
+  EXPECT_EQ(scene.window->GetBackend().substr(0, 3), hasOSMesa ? "OSM" : "EGL");
 }
 
 TEST_F(HeadlessUnknown, OneErrorThatNamesTheChoices)

@@ -78,12 +78,12 @@ void addOverlay(BallScene& scene)
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0.2, 0.4, 1.0);
-  scene.renderer->AddActor2D(actor);
+  scene.renderer->AddViewProp(actor);
   vtkNew<vtkTextActor> text;
   text->SetInput("shadow");
   text->SetPosition(110.0, 10.0);
   text->GetTextProperty()->SetFontSize(18);
-  scene.renderer->AddActor2D(text);
+  scene.renderer->AddViewProp(text);
 }
 
 /// The picture of VTK's passes without shadows.
