@@ -60,7 +60,12 @@ std::vector<RawPart> readWith(const std::string& file, std::vector<std::string>&
   reader->SetFileName(file.c_str());
   reader->Update();
   const vtkSmartPointer<vtkDataSet> data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  return data != nullptr ? std::vector<RawPart>{{data, std::nullopt, 1.0}} : std::vector<RawPart>{};
+  std::vector<RawPart> parts;
+  if (data != nullptr)
+  {
+    parts.push_back({data, std::nullopt, 1.0});
+  }
+  return parts;
 }
 
 // Points in double precision, moved by what they are relative to.
