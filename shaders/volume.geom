@@ -43,21 +43,16 @@ flat out float multiplicity;
 out float nearDistance;
 #endif
 
-// The inputs, taken over with constant indices: Mesa 26.1's llvmpipe reads beside inputs that are indexed otherwise.
-vec3 cornerMC[6];
-vec4 nearPositions[6];
-vec4 farPositions[6];
-#ifdef SHADOW_PARALLEL
-vec2 beyondNearOf[6];
-#define TAKE_BEYOND_NEAR(i) beyondNearOf[i] = beyondNearOfCopies[i];
-#else
-#define TAKE_BEYOND_NEAR(i)
-#endif
-#define TAKE(i)                              \
-  cornerMC[i] = vertexMC[i];                 \
-  nearPositions[i] = gl_in[i].gl_Position;   \
-  farPositions[i] = farPosition[i];          \
-  TAKE_BEYOND_NEAR(i)
+// Inputs are indexed by constants only: Mesa 26.1's llvmpipe reads beside inputs that are indexed otherwise, and makes
+// that of arrays they are copied into, too.
+#define PICK(inputs, i, member)                                                                          \
+  (i < 3 ? (i == 0 ? inputs[0] member : (i == 1 ? inputs[1] member : inputs[2] member))                  \
+         : (i == 3 ? inputs[3] member : (i == 4 ? inputs[4] member : inputs[5] member)))
+
+vec3 cornerMC(int corner)
+{
+  return PICK(vertexMC, corner, .xyz);
+}
 
 bool comesBefore(vec3 a, vec3 b)
 {
@@ -69,17 +64,17 @@ bool comesBefore(vec3 a, vec3 b)
 ivec3 toRasterOrder(ivec3 corners, out float winding)
 {
   winding = 1.0;
-  if (comesBefore(cornerMC[corners.y], cornerMC[corners.x]))
+  if (comesBefore(cornerMC(corners.y), cornerMC(corners.x)))
   {
     corners = corners.yxz;
     winding = -winding;
   }
-  if (comesBefore(cornerMC[corners.z], cornerMC[corners.y]))
+  if (comesBefore(cornerMC(corners.z), cornerMC(corners.y)))
   {
     corners = corners.xzy;
     winding = -winding;
   }
-  if (comesBefore(cornerMC[corners.y], cornerMC[corners.x]))
+  if (comesBefore(cornerMC(corners.y), cornerMC(corners.x)))
   {
     corners = corners.yxz;
     winding = -winding;
@@ -92,7 +87,7 @@ int castingOf(ivec3 corners)
 {
   float winding;
   corners = toRasterOrder(corners, winding);
-  uvec2 bits = facingBitsOf(cornerMC[corners.x], cornerMC[corners.y], cornerMC[corners.z], winding);
+  uvec2 bits = facingBitsOf(cornerMC(corners.x), cornerMC(corners.y), cornerMC(corners.z), winding);
   return castingSign(bits, light, lightFacingOnly == 1);
 }
 
@@ -106,18 +101,18 @@ struct Copy
 Copy nearCopy(int corner)
 {
 #ifdef SHADOW_PARALLEL
-  return Copy(nearPositions[corner], beyondNearOf[corner].x);
+  return Copy(PICK(gl_in, corner, .gl_Position), PICK(beyondNearOfCopies, corner, .x));
 #else
-  return Copy(nearPositions[corner], 0.0);
+  return Copy(PICK(gl_in, corner, .gl_Position), 0.0);
 #endif
 }
 
 Copy farCopy(int corner)
 {
 #ifdef SHADOW_PARALLEL
-  return Copy(farPositions[corner], beyondNearOf[corner].y);
+  return Copy(PICK(farPosition, corner, .xyzw), PICK(beyondNearOfCopies, corner, .y));
 #else
-  return Copy(farPositions[corner], 0.0);
+  return Copy(PICK(farPosition, corner, .xyzw), 0.0);
 #endif
 }
 
@@ -209,19 +204,13 @@ void drawCaps(int casts)
 
 void main()
 {
-  TAKE(0)
-  TAKE(1)
-  TAKE(2)
-  TAKE(3)
-  TAKE(4)
-  TAKE(5)
   int casts = 0;
   // The triangle, then its neighbours if it casts; all by the same code, so that they agree where nothing is precise.
   for (int i = 0; i < 4 && (i == 0 || casts != 0); ++i)
   {
     int from = max(2 * i - 2, 0);
     int to = 2 * i % 6;
-    bool border = i > 0 && cornerMC[from + 1] == cornerMC[from];
+    bool border = i > 0 && cornerMC(from + 1) == cornerMC(from);
     int sign = border ? 0 : castingOf(i == 0 ? ivec3(0, 2, 4) : ivec3(to, from, from + 1));
     if (i == 0)
     {
