@@ -75,13 +75,13 @@ enter() { # root
 
 # What the repository holds, with changes that are not committed yet; build folders of the run before stay.
 copy_project() { # root
-  mkdir -p "$1/work/project"
+  mkdir -p "$1/vtkshadow/project"
   (cd "$project_folder" && git ls-files -z --cached --others --exclude-standard) |
     tar -C "$project_folder" --null --files-from=- --ignore-failed-read -cf - |
-    tar -C "$1/work/project" -xf -
+    tar -C "$1/vtkshadow/project" -xf -
   if [ -d "$project_folder/../shared/models" ]; then
-    mkdir -p "$1/work/shared"
-    cp -ru "$project_folder/../shared/models" "$1/work/shared/"
+    mkdir -p "$1/vtkshadow/shared"
+    cp -ru "$project_folder/../shared/models" "$1/vtkshadow/shared/"
   fi
 }
 
@@ -89,7 +89,7 @@ run_in() { # root command...
   local root=$1
   shift
   chroot "$root" env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 \
-    bash -c 'cd /work/project && "$@"' bash "$@"
+    bash -c 'cd /vtkshadow/project && "$@"' bash "$@"
 }
 
 table=""

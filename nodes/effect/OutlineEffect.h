@@ -175,8 +175,8 @@ private:
   bool capabilitiesKnown = false;
   OutlineTarget target;
   WindowDepth windowDepth;
-  bool keepsDepth = false;         ///< Settings::keepsDepth of the lines that were rendered last
-  glm::vec2 depthToWindow{0.0f};   ///< windowFromDepth() of these
+  bool keepsDepth = false;       ///< Settings::keepsDepth of the lines that were rendered last
+  glm::vec2 depthToWindow{0.0f}; ///< windowFromDepth() of these
   DrawableCache drawables;
   DepthRange depthRange;
   int margin = 0; ///< pixels by which the target is wider than the view, on each side

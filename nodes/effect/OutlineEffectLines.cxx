@@ -123,15 +123,14 @@ bool OutlineEffect::drawLines(vtkOpenGLRenderWindow* window, const View& wideVie
       setUniform(program, "clipFromMC", clipFromWC * surface.wcFromMC);
       setUniform(program, "farFromMC", farWC * surface.wcFromMC);
       const bool isDrawn = settings.technique == LineTechnique::Faces
-                             ? this->drawFacesOf(surface, state, program, wideView, settings)
-                             : this->drawLinesOf(surface, state, program);
+                               ? this->drawFacesOf(surface, state, program, wideView, settings)
+                               : this->drawLinesOf(surface, state, program);
       if (!isDrawn)
       {
         this->errors.push_back(surface.name + " has no outline: the GL cannot look up a mesh of its size");
       }
     }
   }
-  this->target.endLines(state);
   return true;
 }
 

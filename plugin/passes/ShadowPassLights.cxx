@@ -36,9 +36,10 @@ bool vtkShadowVolumePass::vtkInternals::BeginLights(const vtkRenderPass* opaque)
 {
   std::string error = "lights cannot be added one by one under ambient occlusion or hidden line "
                       "removal, to what is blended, without a depth test or where one takes light away";
-  const bool ready = this->Passes.isPlain(opaque) && !takesLightAway(this->Current->Context.getRenderer()) && !this->Current->Builder.isAnyBlendedAsOpaque() &&
-                     glIsEnabled(GL_DEPTH_TEST) == GL_TRUE &&
-                     this->Current->Lights.begin(this->Current->Context.getWindow()->GetState(), error);
+  RendererState& current = *this->Current;
+  const bool ready = this->Passes.isPlain(opaque) && !takesLightAway(current.Context.getRenderer()) &&
+                     !current.Builder.isAnyBlendedAsOpaque() && glIsEnabled(GL_DEPTH_TEST) == GL_TRUE &&
+                     current.Lights.begin(current.Context.getWindow()->GetState(), error);
   if (!ready)
   {
     this->AddNote(error + "; they are drawn in one pass instead");

@@ -8,6 +8,7 @@
 #include "OpenGL.h"
 #include "PixelTransferScope.h"
 #include "SEDGeometryDrawable.h"
+#include "TargetTexture.h"
 
 namespace shadow
 {
@@ -48,15 +49,7 @@ unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture, u
 unsigned int OutlineTarget::makeTexture(int scale, unsigned int internalFormat, unsigned int format,
                                         unsigned int type) const
 {
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), scale * this->width,
-               scale * this->height, 0, format, type, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  return texture;
+  return makeTargetTexture(scale * this->width, scale * this->height, 1, internalFormat, format, type);
 }
 
 bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newDepthScale,
@@ -71,13 +64,10 @@ bool OutlineTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight,
   this->width = newWidth;
   this->height = newHeight;
   this->depthScale = newDepthScale;
-  GLint before = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
   this->depthTexture = this->makeTexture(newDepthScale, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
   this->slopeTexture = this->makeTexture(newDepthScale, GL_RG16F, GL_RG, GL_FLOAT);
   this->lineTexture = this->makeTexture(1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
   this->nearnessTexture = keepsDepth ? this->makeTexture(1, GL_R32F, GL_RED, GL_FLOAT) : 0;
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
   glGenVertexArrays(1, &this->emptyVertexArray);
   this->depthFramebuffer = makeFramebuffer(state, this->slopeTexture, this->depthTexture);
   this->lineFramebuffer = makeFramebuffer(state, this->lineTexture, 0, this->nearnessTexture);
@@ -144,14 +134,6 @@ void OutlineTarget::beginLines(vtkOpenGLState* state, vtkShaderProgram* program,
   glBindVertexArray(this->emptyVertexArray);
 }
 
-void OutlineTarget::endLines(vtkOpenGLState* state)
-{
-  glBindVertexArray(0);
-  bindTexture(state, windowUnit, 0);
-  bindTexture(state, slopeUnit, 0);
-  bindTexture(state, depthUnit, 0);
-}
-
 void OutlineTarget::drawOver(vtkOpenGLState* state, vtkShaderProgram* program, int margin) const
 {
   int viewport[4] = {0, 0, 0, 0};
@@ -166,8 +148,6 @@ void OutlineTarget::drawOver(vtkOpenGLState* state, vtkShaderProgram* program, i
   program->SetUniformf("farDepth", 0.0f);
   glBindVertexArray(this->emptyVertexArray);
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
-  bindTexture(state, depthUnit, 0);
 }
 
 void OutlineTarget::blend(vtkOpenGLState* state, vtkShaderProgram* program, int margin)
@@ -189,7 +169,6 @@ void OutlineTarget::blendDepth(vtkOpenGLState* state, vtkShaderProgram* program,
   bindTexture(state, slopeUnit, this->nearnessTexture);
   program->SetUniformi("nearnesses", slopeUnit);
   this->drawOver(state, program, margin);
-  bindTexture(state, slopeUnit, 0);
 }
 
 std::vector<unsigned char> OutlineTarget::readMask(vtkOpenGLRenderWindow* window, int margin) const

@@ -36,9 +36,6 @@ public:
   /// @param windowDepth  a texture for shaders/outlines/outlineWindow.glsl, bound to a unit of its own; or 0
   void beginLines(vtkOpenGLState* state, vtkShaderProgram* program, unsigned int windowDepth);
 
-  /// Unbinds what beginLines() has bound.
-  void endLines(vtkOpenGLState* state);
-
   /// Blends the lines over the bound framebuffer, in the viewport that is set. @pre the program is current
   /// and has the other uniforms of shaders/outlines/outlineBlend.frag
   /// @param margin  columns and rows by which the targets are wider than the viewport, on each side

@@ -4,6 +4,7 @@
 
 #include "CallerFramebuffer.h"
 #include "OpenGL.h"
+#include "TargetTexture.h"
 
 namespace shadow
 {
@@ -43,16 +44,7 @@ bool WindowDepth::allocate(vtkOpenGLState* state, int newWidth, int newHeight, u
   this->height = newHeight;
   this->format = newFormat;
   const TransferFormat transfer = transferFormatOf(newFormat);
-  GLint before = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
-  glGenTextures(1, &this->texture);
-  glBindTexture(GL_TEXTURE_2D, this->texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(newFormat), newWidth, newHeight, 0, transfer.format,
-               transfer.type, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
+  this->texture = makeTargetTexture(newWidth, newHeight, 1, newFormat, transfer.format, transfer.type);
   glGenFramebuffers(1, &this->framebuffer);
   state->PushDrawFramebufferBinding();
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->framebuffer);

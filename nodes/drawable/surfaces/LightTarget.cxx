@@ -7,14 +7,10 @@
 #include "GLStateScope.h"
 #include "OpenGL.h"
 #include "ShadowPrograms.h"
+#include "TargetTexture.h"
 
 namespace shadow
 {
-
-unsigned int LightTarget::getTextureTarget() const
-{
-  return this->samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-}
 
 bool LightTarget::allocate(int newWidth, int newHeight, int newSamples)
 {
@@ -27,24 +23,7 @@ bool LightTarget::allocate(int newWidth, int newHeight, int newSamples)
   this->width = newWidth;
   this->height = newHeight;
   this->samples = newSamples;
-  const GLenum target = this->getTextureTarget();
-  GLint before = 0;
-  glGetIntegerv(newSamples > 1 ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &before);
-  glGenTextures(1, &this->texture);
-  glBindTexture(target, this->texture);
-  if (newSamples > 1)
-  {
-    // Fixed places, as renderbuffers have them: without, no framebuffer may have both.
-    glTexImage2DMultisample(target, newSamples, GL_RGBA16F, newWidth, newHeight, GL_TRUE);
-  }
-  else
-  {
-    glTexImage2D(target, 0, GL_RGBA16F, newWidth, newHeight, 0, GL_RGBA, GL_FLOAT, nullptr);
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-  }
-  glBindTexture(target, static_cast<GLuint>(before));
+  this->texture = makeTargetTexture(newWidth, newHeight, newSamples, GL_RGBA16F, GL_RGBA, GL_FLOAT);
   glGenVertexArrays(1, &this->emptyVertexArray);
   glGenFramebuffers(1, &this->framebuffer);
   return this->texture != 0 && this->framebuffer != 0;
@@ -114,9 +93,7 @@ bool LightTarget::addLight(vtkOpenGLRenderWindow* window, bool hasClipControl)
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   const vtkOpenGLState::ScopedglEnableDisable multisampling(state, GL_MULTISAMPLE);
   state->vtkglActiveTexture(GL_TEXTURE0);
-  GLint before = 0;
-  glGetIntegerv(multisampled ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &before);
-  glBindTexture(this->getTextureTarget(), this->texture);
+  glBindTexture(textureTargetOf(this->samples), this->texture);
   program->SetUniformi("light", 0);
   program->SetUniformf("farDepth", 0.0f);
   glBindVertexArray(this->emptyVertexArray);
@@ -138,8 +115,6 @@ bool LightTarget::addLight(vtkOpenGLRenderWindow* window, bool hasClipControl)
   {
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
-  glBindVertexArray(0);
-  glBindTexture(this->getTextureTarget(), static_cast<GLuint>(before));
   return true;
 }
 

@@ -43,7 +43,6 @@ public:
 
 private:
   bool allocate(int newWidth, int newHeight, int newSamples);
-  unsigned int getTextureTarget() const;
 
   CallerFramebuffer caller;
   unsigned int framebuffer = 0;

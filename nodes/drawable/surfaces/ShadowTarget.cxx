@@ -5,36 +5,20 @@
 
 #include "OpenGL.h"
 #include "ShadowPrograms.h"
+#include "TargetTexture.h"
 
 namespace shadow
 {
 
 unsigned int ShadowTarget::getTextureTarget() const
 {
-  return this->samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  return textureTargetOf(this->samples);
 }
 
 unsigned int ShadowTarget::makeTexture(unsigned int internalFormat, unsigned int format,
                                        unsigned int type) const
 {
-  const GLenum target = this->getTextureTarget();
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(target, texture);
-  if (this->samples > 1)
-  {
-    glTexImage2DMultisample(target, this->samples, internalFormat, this->width, this->height, GL_TRUE);
-  }
-  else
-  {
-    glTexImage2D(target, 0, static_cast<GLint>(internalFormat), this->width, this->height, 0, format, type,
-                 nullptr);
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-  }
-  glBindTexture(target, 0);
-  return texture;
+  return makeTargetTexture(this->width, this->height, this->samples, internalFormat, format, type);
 }
 
 bool ShadowTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newSamples,

@@ -30,9 +30,13 @@ bool isBlendedAsOpaque(vtkProp* prop)
   }
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor != nullptr ? actor->GetMapper() : nullptr;
-  if (mapper == nullptr || mapper->IsA("vtkPointGaussianMapper"))
+  if (mapper == nullptr)
   {
-    return mapper != nullptr;
+    return false;
+  }
+  if (mapper->IsA("vtkPointGaussianMapper"))
+  {
+    return true;
   }
   vtkTexture* texture = actor->GetTexture();
   return actor->GetForceOpaque() &&

@@ -137,78 +137,89 @@ void look(GpuScene& scene, const std::vector<Light>& lights, Found& found)
   }
 }
 
-} // namespace
-
-TEST(FacingNearPlanes, LightsNextToPlanes_SureMeansRight)
+class FacingNearPlanes : public testing::Test
 {
-  std::mt19937 random(11);
+protected:
+  void SetUp() override
+  {
+    const GpuScene scene;
+    if (!hasExactArithmetic())
+    {
+      GTEST_SKIP() << "no exact arithmetic on this GL";
+    }
+  }
+};
+
+/// Has a body fill a scene that has a mesh in it, in many places, with lights to look at.
+template <class Fill>
+Found lookEverywhere(std::mt19937& random, int placements, const Fill& fill)
+{
   Found found;
   for (const NamedMesh& mesh : makeMeshes())
   {
     const auto geometry = std::make_shared<const SEDGeometry>(build(mesh.soup));
-    for (int placement = 0; placement < 24; ++placement)
+    for (int placement = 0; placement < placements; ++placement)
     {
       SCOPED_TRACE(mesh.name + ", placement " + std::to_string(placement));
       GpuScene scene;
-      if (!hasExactArithmetic())
-      {
-        GTEST_SKIP() << "no exact arithmetic on this GL";
-      }
       const glm::dmat4 matrix = makePlacement(random, placement);
       scene.add(geometry, matrix);
-      // With another mesh beside it of which the frame is larger, up to 1e11 times.
-      const double larger = placement % 2 == 0 ? 1.0 : std::pow(10.0, placement % 12);
-      std::vector<Light> lights;
-      for (int i = 0; i < maximumLights; ++i)
-      {
-        const double rougher = larger * roughnessOf(*geometry, i);
-        const glm::dvec4 lightMC = makeLightNearPlane(*geometry, random, i, rougher);
-        lights.push_back({i, worldFromRelative(*geometry, matrix) * lightMC});
-      }
-      if (placement % 2 != 0)
-      {
-        scene.add(geometry, glm::scale(matrix, glm::dvec3(larger)));
-      }
-      look(scene, lights, found);
+      look(scene, fill(scene, geometry, matrix, placement), found);
     }
   }
+  return found;
+}
+
+} // namespace
+
+TEST_F(FacingNearPlanes, LightsNextToPlanes_SureMeansRight)
+{
+  std::mt19937 random(11);
+  const auto fill = [&random](GpuScene& scene, const std::shared_ptr<const SEDGeometry>& geometry,
+                              const glm::dmat4& matrix, int placement)
+  {
+    // With another mesh beside it of which the frame is larger, up to 1e11 times.
+    const double larger = placement % 2 == 0 ? 1.0 : std::pow(10.0, placement % 12);
+    std::vector<Light> lights;
+    for (int i = 0; i < maximumLights; ++i)
+    {
+      const double rougher = larger * roughnessOf(*geometry, i);
+      const glm::dvec4 lightMC = makeLightNearPlane(*geometry, random, i, rougher);
+      lights.push_back({i, worldFromRelative(*geometry, matrix) * lightMC});
+    }
+    if (placement % 2 != 0)
+    {
+      scene.add(geometry, glm::scale(matrix, glm::dvec3(larger)));
+    }
+    return lights;
+  };
+  const Found found = lookEverywhere(random, 24, fill);
   std::printf("%d lights sure, %d not, where %zu triangles differ\n", found.sure, found.unsure,
               found.unsureDifferent);
   EXPECT_GT(found.unsureDifferent, 0u) << "no light was hard";
 }
 
-TEST(FacingNearPlanes, LightsAnywhere_AreSure)
+TEST_F(FacingNearPlanes, LightsAnywhere_AreSure)
 {
   std::mt19937 random(12);
-  Found found;
-  for (const NamedMesh& mesh : makeMeshes())
+  const auto fill = [&random](GpuScene& /*scene*/, const std::shared_ptr<const SEDGeometry>& /*geometry*/,
+                              const glm::dmat4& matrix, int /*placement*/)
   {
-    const auto geometry = std::make_shared<const SEDGeometry>(build(mesh.soup));
-    for (int placement = 0; placement < 12; ++placement)
+    std::vector<Light> lights;
+    for (int i = 0; i < maximumLights; ++i)
     {
-      SCOPED_TRACE(mesh.name + ", placement " + std::to_string(placement));
-      GpuScene scene;
-      if (!hasExactArithmetic())
-      {
-        GTEST_SKIP() << "no exact arithmetic on this GL";
-      }
-      const glm::dmat4 matrix = makePlacement(random, placement);
-      scene.add(geometry, matrix);
-      std::vector<Light> lights;
-      for (int i = 0; i < maximumLights; ++i)
-      {
-        const glm::dvec4 light(randomPoint(random, std::pow(10.0, i % 4)), i % 3 == 0 ? 0.0 : 1.0);
-        lights.push_back({i, matrix * light});
-      }
-      look(scene, lights, found);
+      const glm::dvec4 light(randomPoint(random, std::pow(10.0, i % 4)), i % 3 == 0 ? 0.0 : 1.0);
+      lights.push_back({i, matrix * light});
     }
-  }
+    return lights;
+  };
+  const Found found = lookEverywhere(random, 12, fill);
   std::printf("%d lights sure, %d not\n", found.sure, found.unsure);
   EXPECT_EQ(found.unsure, 0);
 }
 
 // What compute shaders list comes of the facing that all methods without the silhouette camera evaluate.
-TEST(FacingNearPlanes, EvaluatedFromTheTables_SureMeansTheSilhouetteOfTheCPU)
+TEST_F(FacingNearPlanes, EvaluatedFromTheTables_SureMeansTheSilhouetteOfTheCPU)
 {
   std::mt19937 random(13);
   int sure = 0;
