@@ -1,8 +1,5 @@
 #include "StlFile.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +9,7 @@
 #include <string_view>
 
 #include "PointRange.h"
+#include "StlGrammar.h"
 #include "TextLines.h"
 #include "UserError.h"
 
@@ -26,30 +24,16 @@ constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 /// vtkSTLReader has lines of 256 characters.
 constexpr std::size_t longestLine = 250;
 
-std::string lowerCase(std::string_view word)
+std::string_view withoutMark(std::string_view line)
 {
-  std::string result(word);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
-std::string firstWord(const std::string& line)
-{
-  std::string_view rest = line;
-  return lowerCase(nextWord(rest));
-}
-
-bool isComment(const std::string& word)
-{
-  return word.empty() || word[0] == '#' || word[0] == ';' || word.rfind("//", 0) == 0;
+  return line.substr(line.rfind(byteOrderMark, 0) == 0 ? byteOrderMark.size() : 0);
 }
 
 /// What stands before the line that begins with "solid": a mark, comments, empty lines.
 struct Opening
 {
   bool text = false;
-  bool plain = true; ///< nothing
+  bool plain = true; ///< nothing, and that line as vtkSTLReader wants it from VTK 9.6 on
 };
 
 // A text STL begins with "solid", and so do the headers of some binary ones; those have a zero byte in their
@@ -70,13 +54,14 @@ Opening readOpening(std::istream& stream)
       opening.plain = false;
       line.erase(0, byteOrderMark.size());
     }
-    const std::string word = firstWord(line);
+    const std::string word = getStlWord(line);
     if (word == "solid")
     {
       opening.text = true;
+      opening.plain = opening.plain && line.rfind("solid", 0) == 0;
       return opening;
     }
-    if (!isComment(word))
+    if (!isStlComment(word))
     {
       return {};
     }
@@ -85,57 +70,33 @@ Opening readOpening(std::istream& stream)
   return {};
 }
 
-std::array<double, 3> readPoint(std::string_view rest)
-{
-  std::array<double, 3> point{};
-  for (double& value : point)
-  {
-    if (examine(nextWord(rest), value) == Number::None)
-    {
-      value = std::numeric_limits<double>::quiet_NaN();
-    }
-  }
-  return point;
-}
-
-bool areFinite(const std::array<double, 3>& point)
-{
-  return std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); });
-}
-
 struct TextFindings
 {
-  bool longLine = false;
+  bool unusual = false; ///< lines as vtkSTLReader does not want them
   PointRange range;
 };
 
 TextFindings lookThrough(std::istream& stream)
 {
-  TextFindings findings;
+  StlGrammar grammar;
+  bool longLine = false;
   for (std::string line; std::getline(stream, line);)
   {
-    findings.longLine = findings.longLine || line.size() > longestLine;
-    std::string_view rest = line;
-    if (lowerCase(nextWord(rest)) != "vertex")
-    {
-      continue;
-    }
-    const std::array<double, 3> point = readPoint(rest);
-    if (areFinite(point))
-    {
-      findings.range.add(point);
-    }
+    longLine = longLine || line.size() > longestLine;
+    grammar.take(withoutMark(line));
   }
-  return findings;
+  grammar.finish();
+  return {longLine || grammar.hasComments(), grammar.getRange()};
 }
 
 void copyPoint(std::string_view rest, const std::array<double, 3>& shift, std::ostream& copy)
 {
-  const std::array<double, 3> point = readPoint(rest);
   copy << "vertex";
-  for (std::size_t i = 0; i < 3; ++i)
+  for (const double offset : shift)
   {
-    copy << ' ' << point[i] - shift[i];
+    double value = 0.0;
+    examine(nextWord(rest), value);
+    copy << ' ' << value - offset;
   }
   copy << '\n';
 }
@@ -144,24 +105,18 @@ std::unique_ptr<TemporaryModel> copyPlainly(std::istream& stream, const std::arr
 {
   auto copy = std::make_unique<TemporaryModel>(".stl");
   copy->getStream() << std::setprecision(std::numeric_limits<double>::max_digits10);
-  bool begun = false;
   for (std::string line; std::getline(stream, line);)
   {
-    if (line.rfind(byteOrderMark, 0) == 0)
+    std::string_view rest = withoutMark(line);
+    const std::string word = getStlWord(rest);
+    if (word == "vertex")
     {
-      line.erase(0, byteOrderMark.size());
-    }
-    const std::string word = firstWord(line);
-    const bool named = word == "solid" || word == "endsolid";
-    begun = begun || named;
-    std::string_view rest = line;
-    nextWord(rest);
-    if (word == "vertex" && areFinite(readPoint(rest))) // what is none is left to the reader's own words
-    {
+      nextWord(rest);
       copyPoint(rest, shift, copy->getStream());
     }
-    else if (begun && !isComment(word))
+    else if (!isStlComment(word))
     {
+      const bool named = word == "solid" || word == "endsolid";
       copy->getStream() << (named ? word + " model" : line) << '\n';
     }
   }
@@ -233,7 +188,7 @@ StlFindings checkStl(const std::string& file, std::vector<std::string>& warnings
   rewind();
   StlFindings findings;
   findings.shift = text.range.getShift();
-  if (!opening.plain || text.longLine || text.range.isFar())
+  if (!opening.plain || text.unusual || text.range.isFar())
   {
     findings.copy = copyPlainly(stream, findings.shift);
   }

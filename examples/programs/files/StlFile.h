@@ -20,10 +20,12 @@ struct StlFindings
 
 /// Looks at an STL file before its reader does.
 ///
-/// There is a copy of a text file with a byte order mark or comments before "solid", with names longer than the
-/// reader's lines, or with points so far away that single precision would be seen.
+/// There is a copy of a text file with a byte order mark, with comments, with "solid" not in small letters at the
+/// very start, with names longer than the reader's lines, or with points so far away that single precision would
+/// be seen.
 /// @param[out] warnings  of a binary file whose points have such steps themselves
-/// @throws UserError for a file that is neither text nor as long as its header says
+/// @throws UserError for a text in which something is wrong, see StlGrammar, and for a file that is neither text nor
+/// as long as its header says
 /// @par Cost  reads a file once or twice
 StlFindings checkStl(const std::string& file, std::vector<std::string>& warnings);
 

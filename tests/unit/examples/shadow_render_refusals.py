@@ -116,6 +116,14 @@ class Refusing(CommandLine):
             if name.startswith(("short", "normals", "relative", "buffer")):
                 self.refuse(name, name)
 
+    def test_text_STL_names_the_line(self):
+        for before, after, words in (("outer loop", "outline", 'line 3: "outer" expected, not "outline"'),
+                                     ("endloop", "vertex 0 0 0", 'line 7: "endloop" expected, not "vertex"'),
+                                     ("endsolid cube", "", 'ends where "endsolid" is expected'),
+                                     ("endfacet\nfacet", "facet", 'line 8: "endfacet" expected, not "facet"')):
+            self.write("mesh.stl", files.stl_text().replace(before, after, 1))
+            self.refuse(words, "mesh.stl")
+
     def test_glTF_node_that_is_its_own_child(self):
         document = files.gltf_document()[0]
         document["nodes"][1]["children"] = [1]
@@ -135,10 +143,12 @@ class Refusing(CommandLine):
             self.write("value.ply", files.ply_text().replace("\n-0.5", "\n" + value, 1))
             self.refuse("point 1 is not finite", "value.ply")
             self.write("value.stl", files.stl_text().replace("vertex -0.5", "vertex " + value, 1))
-            self.refuse("is not finite", "value.stl")
+            self.refuse("line 4: point 1 is not finite", "value.stl")
         # VTK's readers would take these for 0
         self.write("word.obj", files.obj([("zero", 0, 0)] + files.POINTS[1:]))
         self.refuse("line 1: a point needs three numbers", "word.obj")
+        self.write("word.stl", files.stl_text().replace("vertex -0.5", "vertex zero", 1))
+        self.refuse("line 4: a point needs three numbers", "word.stl")
         self.write("few.obj", files.obj([(0, 0)] + files.POINTS[1:]))
         self.refuse("line 1: a point needs three numbers", "few.obj")
         self.write("word.ply", files.ply_text().replace("\n-0.5", "\nzero", 1))

@@ -73,6 +73,10 @@ class TextFiles(unittest.TestCase):
             "a long name at the end": stl(tail="endsolid " + "n" * 4000 + "\n"),
             "CRLF": stl().replace("\n", "\r\n"),
             "upper case": stl(head="SOLID CUBE\n", tail="ENDSOLID CUBE\n"),
+            "upper case all over": stl().upper(),
+            "spaces before": stl(head="  solid cube\n"),
+            "comments in between": stl().replace("outer", "# a face\n    outer"),
+            "two solids": stl(tail="endsolid cube\n\nsolid none\nendsolid none\n"),
         }
         for name, text in variants.items():
             with self.subTest(name):
