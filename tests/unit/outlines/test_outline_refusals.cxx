@@ -38,6 +38,14 @@ vtkSmartPointer<vtkPolyData> makeBroken()
   return broken;
 }
 
+/// VTK's picture alone: the GL's functions are loaded then, and VTK has its own shaders.
+void renderPlain(OutlineBall& scene)
+{
+  scene.renderer->SetPass(nullptr);
+  scene.window->Render();
+  scene.renderer->SetPass(scene.outlines);
+}
+
 } // namespace
 
 TEST(OutlineRefusal, MoreLinesThanTheGLLooksUp_MeshWithoutOutline)
@@ -45,6 +53,7 @@ TEST(OutlineRefusal, MoreLinesThanTheGLLooksUp_MeshWithoutOutline)
   OutlineBall scene;
   const auto messages = MessageCounter::observe(scene.outlines);
   Pixels lines;
+  renderPlain(scene);
   {
     // Enough for the table.
     const TexelLimit limit(12);
@@ -118,9 +127,7 @@ TEST(OutlineRefusal, StageThatFailsAfterAMesh_BothAreTold)
 {
   OutlineBall scene;
   const auto messages = MessageCounter::observe(scene.outlines);
-  scene.renderer->SetPass(nullptr);
-  scene.window->Render(); // VTK has its own shaders
-  scene.renderer->SetPass(scene.outlines);
+  renderPlain(scene);
   const int verbosity = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();
   {
@@ -141,6 +148,7 @@ TEST(OutlineRefusal, MeshLargerThanTheGLLooksUp_ItsNormalsAreNotUploaded)
   scene.ball->SetThetaResolution(48);
   scene.ball->SetPhiResolution(37);
   vtkIdType refused = 0;
+  renderPlain(scene);
   {
     const TexelLimit limit(1000);
     scene.renderLines();
