@@ -12,6 +12,9 @@
 #include <vtkMapper.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
+#include <vtkProperty.h>
+#include <vtkScalarsToColors.h>
+#include <vtkTexture.h>
 
 #include "../../vtkShadowCompat.h"
 
@@ -31,39 +34,72 @@ namespace shadow
 namespace
 {
 
-vtkCompositeDataDisplayAttributes* blockAttributes(vtkMapper* mapper)
+/// Visible opaque leaves of composite data. A block without a visibility or opacity of its own has its parent's,
+/// the outermost the actor's opacity.
+class OpaqueBlocks
 {
-  auto* composite = VTKSHADOW_COMPOSITE_MAPPER::SafeDownCast(mapper);
-  return composite != nullptr ? composite->GetCompositeDataDisplayAttributes() : nullptr;
-}
+public:
+  explicit OpaqueBlocks(vtkActor* actor)
+      : composite(VTKSHADOW_COMPOSITE_MAPPER::SafeDownCast(actor->GetMapper())),
+        attributes(composite != nullptr ? composite->GetCompositeDataDisplayAttributes() : nullptr),
+        opaqueTexture(actor->GetTexture() == nullptr || actor->GetTexture()->IsTranslucent() == 0)
+  {
+    this->collect(actor->GetMapper()->GetInputDataObject(0, 0), true, actor->GetProperty()->GetOpacity() >= 1.0);
+  }
 
-// Visible opaque leaves below a block. A block without a visibility or opacity of its own has its parent's.
-void collectBlocks(vtkDataObject* block, bool visible, bool opaque,
-                   vtkCompositeDataDisplayAttributes* attributes, std::vector<vtkPolyData*>& data)
-{
-  if (attributes != nullptr && attributes->HasBlockVisibility(block))
+  std::vector<vtkPolyData*> take() { return std::move(this->leaves); }
+
+private:
+  void collect(vtkDataObject* block, bool visible, bool opaque)
   {
-    visible = attributes->GetBlockVisibility(block);
-  }
-  if (attributes != nullptr && attributes->HasBlockOpacity(block))
-  {
-    opaque = attributes->GetBlockOpacity(block) >= 1.0;
-  }
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
-  {
-    const auto children = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
-    children->TraverseSubTreeOff();
-    children->VisitOnlyLeavesOff();
-    for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
+    if (this->attributes != nullptr && this->attributes->HasBlockVisibility(block))
     {
-      collectBlocks(children->GetCurrentDataObject(), visible, opaque, attributes, data);
+      visible = this->attributes->GetBlockVisibility(block);
+    }
+    if (this->attributes != nullptr && this->attributes->HasBlockOpacity(block))
+    {
+      opaque = this->attributes->GetBlockOpacity(block) >= 1.0;
+    }
+    if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
+    {
+      const auto children = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+      children->TraverseSubTreeOff();
+      children->VisitOnlyLeavesOff();
+      for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
+      {
+        this->collect(children->GetCurrentDataObject(), visible, opaque);
+      }
+    }
+    else if (auto* polyData = vtkPolyData::SafeDownCast(block); polyData != nullptr && visible && opaque)
+    {
+      if (this->opaqueTexture && this->hasOpaqueColours(polyData))
+      {
+        this->leaves.push_back(polyData);
+      }
     }
   }
-  else if (auto* polyData = vtkPolyData::SafeDownCast(block); polyData != nullptr && visible && opaque)
+
+  /// A mapper without block attributes asks the actor only.
+  bool hasOpaqueColours(vtkPolyData* leaf) const
   {
-    data.push_back(polyData);
+    vtkMapper* mapper = this->composite;
+    if (mapper == nullptr || !mapper->GetScalarVisibility())
+    {
+      return true;
+    }
+    int cellFlag = 0;
+    vtkDataArray* scalars = vtkAbstractMapper::GetScalars(leaf, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+                                                          mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+    vtkScalarsToColors* colours = mapper->GetLookupTable();
+    colours->Build();
+    return colours->IsOpaque(scalars, mapper->GetColorMode(), mapper->GetArrayComponent()) != 0;
   }
-}
+
+  VTKSHADOW_COMPOSITE_MAPPER* composite;
+  vtkCompositeDataDisplayAttributes* attributes;
+  bool opaqueTexture;
+  std::vector<vtkPolyData*> leaves;
+};
 
 // The triangles that VTK draws. A clipper would cut polygons that are concave or not flat in its own way.
 vtkSmartPointer<vtkPolyData> fan(vtkPolyData* input)
@@ -105,7 +141,7 @@ std::vector<vtkPolyData*> DrawnSurfaces::collect(vtkActor* actor, const PropPath
   }
   else if (vtkCompositeDataSet::SafeDownCast(input) != nullptr)
   {
-    collectBlocks(input, true, true, blockAttributes(mapper), data);
+    data = OpaqueBlocks(actor).take();
   }
   else if (vtkDataSet::SafeDownCast(input) != nullptr)
   {

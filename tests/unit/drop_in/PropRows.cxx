@@ -17,6 +17,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkOpenGLSphereMapper.h>
+#include <vtkPointData.h>
 #include <vtkPointGaussianMapper.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPropAssembly.h>
@@ -25,6 +26,7 @@
 #include <vtkSkybox.h>
 #include <vtkSmartVolumeMapper.h>
 #include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include "CompositeMapper.h"
@@ -171,6 +173,25 @@ void colourBlocks(DropInScene& scene)
   mapper->SetBlockVisibility(3, false);
 }
 
+/// The first block opaque, the second translucent, the third without scalars.
+void colourBlocksByScalars(DropInScene& scene)
+{
+  addBlocks<truth::CompositeMapper>(scene, 1.0);
+  auto* actor = vtkActor::SafeDownCast(scene.renderer->GetActors()->GetLastActor());
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    vtkPointSet* block = vtkPointSet::SafeDownCast(blocks->GetBlock(i));
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetNumberOfComponents(4);
+    for (vtkIdType point = 0; point < block->GetNumberOfPoints(); ++point)
+    {
+      colours->InsertNextTuple4(200, 80, 30, i == 0 ? 255 : 120);
+    }
+    block->GetPointData()->SetScalars(colours);
+  }
+}
+
 void addGrid(DropInScene& scene)
 {
   vtkNew<vtkPoints> points;
@@ -235,6 +256,7 @@ std::vector<Row> propRows()
       {"blocks", [](DropInScene& scene) { addBlocks<truth::CompositeMapper>(scene, 1.0); }},
       {"blocks_translucent", [](DropInScene& scene) { addBlocks<truth::CompositeMapper>(scene, 0.5); }},
       {"blocks_of_their_own_colours", colourBlocks},
+      {"blocks_of_translucent_scalars", colourBlocksByScalars},
       {"blocks_one_by_one", [](DropInScene& scene) { addBlocks<vtkCompositePolyDataMapper>(scene, 1.0); }},
       {"unstructured_grid", addGrid},
   };
