@@ -8,10 +8,13 @@ add_test(NAME package.Installs
 set_tests_properties(package.Installs PROPERTIES LABELS unit FIXTURES_SETUP package TIMEOUT 120)
 
 if(VTKSHADOW_HEADLESS)
+  set(outside -DVTK_DIR=${VTK_DIR} -DCXX_FLAGS=${CMAKE_CXX_FLAGS} -P ${CMAKE_CURRENT_LIST_DIR}/package_test.cmake)
   add_test(NAME package.OutsideProgram_FindsAndRenders
-    COMMAND ${package_test} -DSTEP=consumer -DCONSUMER=${CMAKE_CURRENT_LIST_DIR}/consumer
-      -DVTK_DIR=${VTK_DIR} -DCXX_FLAGS=${CMAKE_CXX_FLAGS} -P ${CMAKE_CURRENT_LIST_DIR}/package_test.cmake)
-  set_tests_properties(package.OutsideProgram_FindsAndRenders PROPERTIES
+    COMMAND ${package_test} -DSTEP=consumer -DCONSUMER=${CMAKE_CURRENT_LIST_DIR}/consumer ${outside})
+  add_test(NAME package.ReadmesCMakeLines_BuildMinimal
+    COMMAND ${package_test} -DSTEP=readme -DREADME=${PROJECT_SOURCE_DIR}/README.md
+      -DMINIMAL=${PROJECT_SOURCE_DIR}/examples/minimal.cxx ${outside})
+  set_tests_properties(package.OutsideProgram_FindsAndRenders package.ReadmesCMakeLines_BuildMinimal PROPERTIES
     LABELS unit FIXTURES_REQUIRED package TIMEOUT 300)
 endif()
 
