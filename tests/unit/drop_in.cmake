@@ -26,7 +26,7 @@ gtest_discover_tests(test_drop_in DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES PROPERTI
 
 # The same as PyVista's users meet it, where there is PyVista: on a server of its own, else on the user's display.
 if(SHADOW_TEST_PYTHON AND VTKSHADOW_PYTHON_WRAPPED)
-  add_test(NAME DropInPyVista COMMAND ${on_server} ${SHADOW_TEST_PYTHON} -B
+  add_test(NAME DropInPyVista COMMAND ${on_display} ${SHADOW_TEST_PYTHON} -B
     ${CMAKE_CURRENT_SOURCE_DIR}/drop_in/drop_in_pyvista.py)
   set_tests_properties(DropInPyVista PROPERTIES LABELS unit TIMEOUT 300 RESOURCE_LOCK x_server
     ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python:$ENV{PYTHONPATH}"

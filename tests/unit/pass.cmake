@@ -107,15 +107,9 @@ if(VTKSHADOW_HEADLESS)
   vtk_module_autoinit(TARGETS test_shared_windows test_shared_windows_on_display MODULES VTK::RenderingOpenGL2)
   gtest_discover_tests(test_shared_windows DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
   add_test(NAME SharedWindowsTest.OnEGL COMMAND test_shared_windows)
-  # On a server of its own where there is one, else on the user's display; without either it is skipped.
-  find_program(SHADOW_TEST_XVFB xvfb-run)
-  find_program(SHADOW_TEST_XAUTH xauth)
-  mark_as_advanced(SHADOW_TEST_XVFB SHADOW_TEST_XAUTH)
-  set(on_server "")
-  if(SHADOW_TEST_XVFB AND SHADOW_TEST_XAUTH)
-    set(on_server ${SHADOW_TEST_XVFB} --auto-servernum)
-  endif()
-  add_test(NAME SharedWindowsTest.OnDisplay COMMAND ${on_server} $<TARGET_FILE:test_shared_windows_on_display>)
+  # Without a display it is skipped.
+  set(on_display ${CMAKE_CURRENT_LIST_DIR}/windows/on_display.sh)
+  add_test(NAME SharedWindowsTest.OnDisplay COMMAND ${on_display} $<TARGET_FILE:test_shared_windows_on_display>)
   set_tests_properties(SharedWindowsTest.OnEGL SharedWindowsTest.OnDisplay PROPERTIES LABELS unit TIMEOUT 300)
   set_tests_properties(SharedWindowsTest.OnEGL PROPERTIES ENVIRONMENT VTKSHADOW_HEADLESS=egl)
   # Servers that start at the same time may take one number.
