@@ -43,14 +43,6 @@ std::vector<glm::dvec4> cutByView(const truth::PixelRays& rays, const truth::Loc
   return polygon;
 }
 
-/// As a distance at a place, what normalised device depth changes by 1 in.
-double getDistanceOfDepthOne(const truth::PixelRays& rays, const truth::Ray& ray, const truth::Hit& hit)
-{
-  const glm::dvec4 at = rays.toClip(hit.point);
-  const glm::dvec4 slope = rays.toClip(hit.point + glm::normalize(ray.direction)) - at;
-  return std::abs(at.w * at.w / (slope.z * at.w - at.z * slope.w));
-}
-
 double cross(const glm::dvec2& a, const glm::dvec2& b)
 {
   return a.x * b.y - a.y * b.x;
@@ -99,7 +91,10 @@ double getDepthReach(const truth::PixelRays& rays, const glm::dvec2& size, const
   // the distance. As a distance at the place of the hit:
   const auto toDistance = [&](const glm::dvec4& clip)
   { return rays.eye().w == 0.0 ? clip.z * near / seen.z : seen.w * seen.w / clip.w; };
-  reach = std::max(reach, getDistanceOfDepthOne(rays, ray, hit));
+  if (rays.eye().w == 0.0)
+  {
+    reach = std::max(reach, std::abs(toDistance({0.0, 0.0, 1.0, 1.0})));
+  }
   const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
   for (const glm::dvec2& corner : {glm::dvec2(0.0), glm::dvec2(size.x, 0.0), glm::dvec2(0.0, size.y), size})
   {

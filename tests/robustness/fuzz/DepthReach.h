@@ -12,8 +12,8 @@ namespace shadow::fuzz
 /// that depth has the digits of single precision, of this distance. It is the largest of
 /// - the distance to the near plane, and the sum of the eye's and a corner's largest coordinates, as a
 ///   position in clip space is a sum with both in it;
-/// - what normalised device depth changes by 1 in, as that is what is compared and stored: half the distance
-///   between the near and the far plane of a parallel view;
+/// - in a parallel view half the distance between the near and the far plane, in which depth in clip space
+///   changes by 1: it is a sum with such numbers in it, and no perspective gives digits back near the far end;
 /// - the depth of the triangle's plane at the corners of the window, as a rasteriser has the plane's equation
 ///   on the screen and adds up its terms;
 /// - the difference in depth across the part of the triangle that is in the view, times how many times as
