@@ -12,8 +12,8 @@ import unittest
 
 PROJECT = pathlib.Path(sys.argv.pop(1)).resolve()
 
-TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "CHANGELOG.md", "CMakePresets.json", "plugin", "nodes", "visitors",
-             "shaders", "examples", "tests"}
+TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "CHANGELOG.md", "CMakePresets.json", "pyproject.toml", "plugin",
+             "nodes", "visitors", "shaders", "examples", "tests"}
 
 # room -> rooms it may include, itself always
 ROOMS = {
