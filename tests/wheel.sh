@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 "$python" -m venv "$work/environment"
 "$work/environment/bin/python" -m pip --disable-pip-version-check install --quiet "$wheel" pyvista==0.49.1 'cvista[rendering]'
 unset DISPLAY WAYLAND_DISPLAY PYTHONPATH
-for each in refusals stubs scene; do
+for each in wheel_contents python_vtk python_stubs wheel_scene; do
   echo "== $each"
-  (cd "$work" && "$work/environment/bin/python" -B "$here/unit/package/wheel_$each.py")
+  (cd "$work" && "$work/environment/bin/python" -B "$here/unit/package/$each.py")
 done

@@ -50,6 +50,6 @@ function(find_vtk_python problem)
     return()
   endforeach()
   string(REGEX REPLACE "^, " "" reasons "${reasons}")
-  set(${problem} "the headers are of ${VTKSHADOW_VTK_PACKAGE} ${VTK_VERSION}, and no interpreter fits (${reasons}); give one by Python3_EXECUTABLE"
+  set(${problem} "the headers are of ${VTKSHADOW_VTK_PACKAGE} ${VTK_VERSION}, another VTK has classes of other sizes, and no interpreter fits (${reasons}); give one by Python3_EXECUTABLE"
     PARENT_SCOPE)
 endfunction()

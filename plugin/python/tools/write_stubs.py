@@ -17,15 +17,10 @@ from vtkshadow import _vtk
 from vtkshadow._build import VTK_PACKAGE
 
 PLAIN = {"Any", "Callback", "None", "Pointer", *vars(builtins)}
-NO_MEMBERS = {"__dict__", "__doc__", "__this__"}
 
 
 def is_enum(value):
     return inspect.isclass(value) and issubclass(value, int)
-
-
-def is_property(value):
-    return inspect.isgetsetdescriptor(value) or inspect.isdatadescriptor(value)
 
 
 class Stub:
@@ -47,7 +42,7 @@ class Stub:
         head = f"class {each.__name__}({', '.join(bases)}):" if bases else f"class {each.__name__}:"
         members = [documented(each.__doc__)]
         for name, value in vars(each).items():
-            if name.startswith("__") or name in NO_MEMBERS:
+            if name.startswith("__"):
                 continue
             if is_enum(value):
                 members.append(f"class {name}(int): ...")
@@ -55,13 +50,25 @@ class Stub:
                 members.append(f"{name}: {type(value).__name__}")
             elif inspect.isroutine(value):
                 members.append(self.method_text(name, value))
-            elif is_property(value):
-                members.append(f"@property\ndef {name}(self) -> Any: ...")
-                members.append(f"@{name}.setter\ndef {name}(self, value: Any) -> None: ...")
+            elif inspect.isdatadescriptor(value):
+                members.append(self.property_text(name, each))
         return head + "\n" + textwrap.indent("\n".join(filter(None, members)) or "...", "    ") + "\n"
 
+    def property_text(self, name, each):
+        """From VTK 9.4 on methods GetLineWidth and SetLineWidth make a property line_width."""
+        methods = {key.lower(): (key, method) for key, method in vars(each).items() if inspect.isroutine(method)}
+        result, stem = "Any", name.replace("_", "")
+        if "get" + stem in methods:
+            signatures, _ = split(*methods["get" + stem])
+            result = ast.parse(f"def {signatures[0]}: ...").body[0].returns if signatures else None
+            result = self.annotation(result, False) if result else "Any"
+        text = f"@property\ndef {name}(self) -> {result}: ..."
+        if "set" + stem in methods:
+            text += f"\n@{name}.setter\ndef {name}(self, value: {result}) -> None: ..."
+        return text
+
     def method_text(self, name, method):
-        signatures, comment = split(name, method.__doc__ or "")
+        signatures, comment = split(name, method)
         if not signatures:
             return f"def {name}(self, *arguments: Any) -> Any: ..."
         texts = []
@@ -109,9 +116,9 @@ class Stub:
         return f"{each.__module__}.{each.__qualname__}"
 
 
-def split(name, doc):
-    """The signatures of a method's docstring, and what is said of it."""
-    head, _, comment = doc.partition("\n\n")
+def split(name, method):
+    """The signatures in a method's docstring, and what is said of it."""
+    head, _, comment = (method.__doc__ or "").partition("\n\n")
     lines = re.sub(r"\n[ \t]+", " ", head).split("\n")
     return [line for line in lines if line.startswith(name + "(")], comment.strip()
 
