@@ -77,6 +77,10 @@ class House(unittest.TestCase):
             for source in (PROJECT / room).rglob("*.cxx"):
                 self.assertNotRegex(source.read_text(), r"gl_Position\s*[=.]|#version \d", str(source))
 
+    def test_the_wheel_is_for_one_vtk(self):
+        versions = re.findall(r'"cvista[^"=]*==([^"]*)"', (PROJECT / "pyproject.toml").read_text())
+        self.assertEqual((len(versions), len(set(versions))), (3, 1), "what it is built for is what it asks for")
+
 
 if __name__ == "__main__":
     unittest.main()

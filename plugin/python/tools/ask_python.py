@@ -20,9 +20,19 @@ def version_of(package):
 
 
 if not _vtk_packages.is_there(PACKAGE):
-    there = [f"{other} {version_of(other)}" for other in _vtk_packages.others(PACKAGE) if _vtk_packages.is_there(other)]
+    there = [
+        f"{other} {version_of(other)}"
+        for other in _vtk_packages.others(PACKAGE)
+        if _vtk_packages.is_there(other)
+    ]
     sys.exit(f"cannot import {PACKAGE}" + (f" but has {' and '.join(there)}" if there else ""))
 
 folder = os.path.basename(os.path.dirname(os.path.dirname(importlib.import_module(PACKAGE).__file__)))
-print("%d.%d" % sys.version_info[:2], folder, sys.executable, version_of(PACKAGE),
-      _vtk_packages.installed_version(PACKAGE), sep=";")
+print(
+    "%d.%d" % sys.version_info[:2],
+    folder,
+    sys.executable,
+    version_of(PACKAGE),
+    _vtk_packages.installed_version(PACKAGE),
+    sep=";",
+)

@@ -1,13 +1,13 @@
 # Finds what wrapping needs: VTK's wrapping tools, Python's headers, and an interpreter that can import VTK's package.
 #
 # Another python3 may stand first in PATH than the one VTK was built for. Python3_EXECUTABLE is asked first, then
-# python3 in PATH, then the system's. What the headers belong to (Python3_VERSION) has been decided by find_package(VTK).
-# The interpreter's VTK must be the one of the headers: classes of another version, or of another package with the same
-# version, have other sizes.
+# python3 in PATH, then the system's. What the headers belong to (Python3_VERSION) has been decided by
+# find_package(VTK). The interpreter's VTK must be the one of the headers: classes of another version, or of another
+# package with the same version, have other sizes.
 #
-# Sets the cache variables VTKSHADOW_PYTHON, the interpreter, VTKSHADOW_PYTHON_FOLDER, what the folder of its packages is
-# called: dist-packages on Debian, else site-packages, and VTKSHADOW_VTK_DISTRIBUTION, what pip calls VTK's version, or
-# nothing. @p problem gets one line when something is missing, or nothing.
+# Sets the cache variables VTKSHADOW_PYTHON, the interpreter, VTKSHADOW_PYTHON_FOLDER, what the folder of its packages
+# is called: dist-packages on Debian, else site-packages, and VTKSHADOW_VTK_DISTRIBUTION, what pip calls VTK's
+# version, or nothing. @p problem gets one line when something is missing, or nothing.
 function(find_vtk_python problem)
   set(${problem} "" PARENT_SCOPE)
   if(NOT TARGET VTK::WrapPython OR NOT TARGET VTK::WrappingPythonCore OR NOT COMMAND vtk_module_wrap_python)
@@ -38,7 +38,8 @@ function(find_vtk_python problem)
       continue()
     endif()
     if(NOT vtk_version VERSION_EQUAL VTK_VERSION)
-      string(APPEND reasons ", ${candidate} has ${VTKSHADOW_VTK_PACKAGE} ${vtk_version} but the headers are ${VTK_VERSION}")
+      string(APPEND reasons
+        ", ${candidate} has ${VTKSHADOW_VTK_PACKAGE} ${vtk_version} but the headers are ${VTK_VERSION}")
       continue()
     endif()
     list(GET answer 1 folder)
@@ -50,6 +51,7 @@ function(find_vtk_python problem)
     return()
   endforeach()
   string(REGEX REPLACE "^, " "" reasons "${reasons}")
-  set(${problem} "the headers are of ${VTKSHADOW_VTK_PACKAGE} ${VTK_VERSION}, another VTK has classes of other sizes, and no interpreter fits (${reasons}); give one by Python3_EXECUTABLE"
-    PARENT_SCOPE)
+  string(CONCAT line "the headers are of ${VTKSHADOW_VTK_PACKAGE} ${VTK_VERSION}, another VTK has classes of other "
+    "sizes, and no interpreter fits (${reasons}); give one by Python3_EXECUTABLE")
+  set(${problem} "${line}" PARENT_SCOPE)
 endfunction()

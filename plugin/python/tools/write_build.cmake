@@ -1,6 +1,7 @@
 # Writes _build.py, when a library of the plugin is there to ask which of VTK's it needs.
 #
-# cmake -DLIBRARY=... -DREADELF=... -DTEMPLATE=_build.py.in -DOUTPUT=... and what the template names, -P write_build.cmake
+# cmake -DLIBRARY=... -DREADELF=... -DTEMPLATE=_build.py.in -DOUTPUT=... and what the template names
+#   -P write_build.cmake
 cmake_minimum_required(VERSION 3.22)
 execute_process(COMMAND ${READELF} --dynamic --wide ${LIBRARY} OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\\(NEEDED\\)[^\n]*\\[libvtk[^]\n]*\\]" needed "${dynamic}")

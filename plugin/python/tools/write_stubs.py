@@ -1,7 +1,7 @@
-"""Writes type stubs (.pyi) of the package's classes. Usage: write_stubs.py FOLDER MODULE...
+"""Writes type stubs (.pyi) of the package's classes into it. Usage: write_stubs.py FOLDER/vtkshadow MODULE...
 
-The package is the first `vtkshadow` in Python's path. VTK's wrappers tell a method's types in the first lines of its
-docstring. VTK has a generator of its own, which some versions come without.
+VTK's wrappers tell a method's types in the first lines of its docstring. VTK has a generator of its own, which some
+versions come without.
 """
 
 import ast
@@ -13,6 +13,8 @@ import re
 import sys
 import textwrap
 
+PACKAGE = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(PACKAGE.parent))
 from vtkshadow import _vtk
 from vtkshadow._build import VTK_PACKAGE
 
@@ -56,7 +58,9 @@ class Stub:
 
     def property_text(self, name, each):
         """From VTK 9.4 on methods GetLineWidth and SetLineWidth make a property line_width."""
-        methods = {key.lower(): (key, method) for key, method in vars(each).items() if inspect.isroutine(method)}
+        methods = {
+            key.lower(): (key, method) for key, method in vars(each).items() if inspect.isroutine(method)
+        }
         result, stem = "Any", name.replace("_", "")
         if "get" + stem in methods:
             signatures, _ = split(*methods["get" + stem])
@@ -103,8 +107,10 @@ class Stub:
 
     def find(self, name):
         """The class of this name in the module or in those of VTK that are loaded; None if there is none."""
-        modules = [self.module, *(module for key, module in list(sys.modules.items())
-                                  if key.startswith(VTK_PACKAGE + ".vtk"))]
+        modules = [
+            self.module,
+            *(module for key, module in list(sys.modules.items()) if key.startswith(VTK_PACKAGE + ".vtk")),
+        ]
         return next((vars(module)[name] for module in modules if name in vars(module)), None)
 
     def type_name(self, each):
@@ -128,16 +134,16 @@ def documented(doc):
     return f'"""{text}"""' if text else ""
 
 
-def main(folder, names):
+def main(names):
     _vtk.load()
     lines = ["__version__: str"]
     for name in names:
         module = importlib.import_module("vtkshadow." + name)
-        (folder / f"{name}.pyi").write_text(Stub(module).text())
+        (PACKAGE / f"{name}.pyi").write_text(Stub(module).text())
         classes = [key for key, value in vars(module).items() if inspect.isclass(value)]
         lines += [f"from .{name} import {each} as {each}" for each in classes]
-    (folder / "__init__.pyi").write_text("\n".join(lines) + "\n")
+    (PACKAGE / "__init__.pyi").write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]), sys.argv[2:])
+    main(sys.argv[2:])

@@ -7,6 +7,9 @@ Without a display, before anything of VTK:
 
     import vtkshadow.headless
     from vtkshadow import vtkHeadlessRenderWindow
+
+From 9.4 on VTK's own window needs no display. A package that was built without ours, as wheels are, has no
+vtkHeadlessRenderWindow, and the import of vtkshadow.headless does nothing.
 """
 
 import importlib

@@ -11,7 +11,9 @@ import sys
 from . import _vtk_packages
 from ._build import VERSION, VTK_DISTRIBUTION, VTK_LIBRARIES, VTK_PACKAGE, VTK_VERSION
 
-_BUILT_FOR = f"vtkshadow {VERSION} was built for VTK {VTK_DISTRIBUTION or VTK_VERSION} of the package {VTK_PACKAGE}"
+_BUILT_FOR = (
+    f"vtkshadow {VERSION} was built for VTK {VTK_DISTRIBUTION or VTK_VERSION} of the package {VTK_PACKAGE}"
+)
 
 
 def find():
@@ -24,7 +26,9 @@ def find():
         raise ImportError(f"{_BUILT_FOR}, but this program uses {_told(other)}")
     if not _vtk_packages.is_there(VTK_PACKAGE):
         there = [_told(other) for other in others if _vtk_packages.is_there(other)]
-        raise ImportError(f"{_BUILT_FOR}, which is not there; there is {' and '.join(there) or 'no other VTK'}")
+        raise ImportError(
+            f"{_BUILT_FOR}, which is not there; there is {' and '.join(there) or 'no other VTK'}"
+        )
     installed = _vtk_packages.installed_version(VTK_PACKAGE)
     if installed and installed != (VTK_DISTRIBUTION or VTK_VERSION):
         raise ImportError(f"{_BUILT_FOR}, but there is {_told(VTK_PACKAGE)}")
@@ -38,8 +42,10 @@ def load():
     importlib.import_module(VTK_PACKAGE + ".vtkRenderingOpenGL2")  # VTK's object factories need it
     missing = [library for library in VTK_LIBRARIES if not _is_resident(library)]
     if missing:
-        raise ImportError(f"{_BUILT_FOR}, but there is another build of {_told(VTK_PACKAGE)}: "
-                          f"it is without {', '.join(missing)}")
+        raise ImportError(
+            f"{_BUILT_FOR}, but there is another build of {_told(VTK_PACKAGE)}: "
+            f"it is without {', '.join(missing)}"
+        )
 
 
 def _is_loaded(package):

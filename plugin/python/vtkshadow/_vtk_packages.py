@@ -23,5 +23,5 @@ def installed_version(package):
     except (KeyError, importlib.metadata.PackageNotFoundError):
         return ""
     listed = distribution.locate_file(os.path.join(package, "__init__.py"))
-    found = importlib.util.find_spec(package).origin
+    found = importlib.util.find_spec(package).origin or ""
     return distribution.version if os.path.realpath(found) == os.path.realpath(listed) else ""

@@ -1,7 +1,7 @@
 # OpenMesh and GLM for a wheel, in place of find_package: targets of the same names, from the archives in sources.txt.
 #
 # pip fetches them into VTKSHADOW_SOURCES, unless they are there. Of OpenMesh the connectivity alone is needed.
-set(VTKSHADOW_SOURCES ${PROJECT_BINARY_DIR}/sources CACHE PATH "Folder of the source archives that a wheel has built in")
+set(VTKSHADOW_SOURCES ${PROJECT_BINARY_DIR}/sources CACHE PATH "Folder of the archives that a wheel has built in")
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 file(GLOB archives ${VTKSHADOW_SOURCES}/*.tar.gz)

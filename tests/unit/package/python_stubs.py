@@ -11,7 +11,12 @@ import vtkshadow
 from vtkshadow import _build
 
 PACKAGE = pathlib.Path(vtkshadow.__file__).parent
-FEW = {"SetStencilMethodToAuto": "None", "GetShadowIntensity": "float", "GetCasting": "bool", "GetStatusMessage": "str"}
+FEW = {
+    "SetStencilMethodToAuto": "None",
+    "GetShadowIntensity": "float",
+    "GetCasting": "bool",
+    "GetStatusMessage": "str",
+}
 
 
 def members(body):
@@ -21,6 +26,15 @@ def members(body):
             yield node.name
         elif isinstance(node, ast.AnnAssign):
             yield node.target.id
+
+
+def annotations(tree):
+    """All types that a stub tells."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef):
+            yield from filter(None, [*(each.annotation for each in node.args.args), node.returns])
+        elif isinstance(node, ast.ClassDef):
+            yield from node.bases
 
 
 def parsed(name):
@@ -58,27 +72,51 @@ class Stubs(unittest.TestCase):
             for node in parsed(name).body:
                 if isinstance(node, ast.ClassDef):
                     base = vars(module)[node.name].__base__
-                    self.assertEqual([ast.unparse(each) for each in node.bases], [f"{base.__module__}.{base.__qualname__}"])
+                    self.assertEqual(
+                        [ast.unparse(each) for each in node.bases], [f"{base.__module__}.{base.__qualname__}"]
+                    )
 
     def test_all_types_are_defined(self):
         for name, module in modules().items():
             tree = parsed(name)
-            space = {**vars(importlib.import_module("builtins")), **vars(module)}
-            exec(compile(ast.Module([node for node in tree.body if isinstance(node, (ast.Import, ast.ImportFrom))], []),
-                         name, "exec"), space)
-            for function in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)):
-                for annotation in [each.annotation for each in function.args.args] + [function.returns]:
-                    if annotation:
-                        eval(ast.unparse(annotation), space)
+            imports = [node for node in tree.body if isinstance(node, (ast.Import, ast.ImportFrom))]
+            space = dict(vars(module))
+            exec(compile(ast.Module(imports, []), name, "exec"), space)
+            for annotation in annotations(tree):
+                eval(ast.unparse(annotation), space)
+
+    def test_modules_of_all_types_are_imported(self):
+        for name in modules():
+            tree = parsed(name)
+            imported = {
+                each.name for node in tree.body if isinstance(node, ast.Import) for each in node.names
+            }
+            used = {
+                ast.unparse(node.value)
+                for each in annotations(tree)
+                for node in ast.walk(each)
+                if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Attribute)
+            }
+            self.assertEqual(used - imported, set())
 
     def test_types_of_some_results(self):
-        body = next(node.body for node in parsed("vtkShadowPasses").body if getattr(node, "name", "") == "vtkShadowVolumePass")
-        results = {node.name: ast.unparse(node.returns) for node in body if isinstance(node, ast.FunctionDef) and node.returns}
+        body = next(
+            node.body
+            for node in parsed("vtkShadowPasses").body
+            if getattr(node, "name", "") == "vtkShadowVolumePass"
+        )
+        results = {
+            node.name: ast.unparse(node.returns)
+            for node in body
+            if isinstance(node, ast.FunctionDef) and node.returns
+        }
         self.assertEqual({name: results[name] for name in FEW}, FEW)
 
     def test_package_s_own_names_all_it_offers(self):
         tree = parsed("__init__")
-        imported = {each.asname for node in tree.body if isinstance(node, ast.ImportFrom) for each in node.names}
+        imported = {
+            each.asname for node in tree.body if isinstance(node, ast.ImportFrom) for each in node.names
+        }
         self.assertLessEqual(set(vtkshadow.__all__), imported)
         self.assertIn("__version__", set(members(tree.body)))
 

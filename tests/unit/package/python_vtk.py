@@ -54,7 +54,12 @@ class StandIn(unittest.TestCase):
     def expect_refusal(self, code, *words):
         status, line = run(code, self.folder)
         self.assertEqual((status, line.partition(":")[0]), (1, "ImportError"), line)
-        for word in (_build.VERSION, _build.VTK_DISTRIBUTION or _build.VTK_VERSION, _build.VTK_PACKAGE, *words):
+        for word in (
+            _build.VERSION,
+            _build.VTK_DISTRIBUTION or _build.VTK_VERSION,
+            _build.VTK_PACKAGE,
+            *words,
+        ):
             self.assertIn(word, line)
 
     def test_other_version(self):
@@ -80,7 +85,9 @@ class StandIn(unittest.TestCase):
 
     def test_other_package_alone(self):
         self.add_vtk(OTHER, "9.99.1")
-        self.expect_refusal(f"import sys; sys.modules['{_build.VTK_PACKAGE}'] = None; import vtkshadow", OTHER, "9.99.1")
+        self.expect_refusal(
+            f"import sys; sys.modules['{_build.VTK_PACKAGE}'] = None; import vtkshadow", OTHER, "9.99.1"
+        )
 
     def test_no_vtk(self):
         hidden = "; ".join(f"sys.modules['{package}'] = None" for package in _vtk_packages.PACKAGES)

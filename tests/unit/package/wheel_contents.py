@@ -1,4 +1,4 @@
-"""What the installed wheel holds, and what it refuses. Usage: wheel_contents.py, in the environment of tests/wheel.sh"""
+"""What the installed wheel holds, and what it refuses. Usage: wheel_contents.py, in tests/wheel.sh's environment"""
 
 import importlib.metadata
 import subprocess
@@ -19,7 +19,9 @@ class Wheel(unittest.TestCase):
         self.assertEqual(folders, {"vtkshadow", f"vtkshadow-{WHEEL.version}.dist-info"})
 
     def test_nothing_is_for_building(self):
-        self.assertEqual([str(file) for file in WHEEL.files if file.suffix in (".h", ".cmake", ".a", ".cxx")], [])
+        self.assertEqual(
+            [str(file) for file in WHEEL.files if file.suffix in (".h", ".cmake", ".a", ".cxx")], []
+        )
 
     def test_licences_of_what_is_built_in(self):
         licences = {file.name: file.read_text() for file in WHEEL.files if "licenses" in file.parts}
@@ -37,7 +39,9 @@ class Wheel(unittest.TestCase):
 
     def test_stock_vtk_is_refused(self):
         """PyVista brings the `vtk` of PyPI along."""
-        status, error = run("import vtkmodules.vtkRenderingOpenGL2; from vtkshadow import vtkShadowVolumePass")
+        status, error = run(
+            "import vtkmodules.vtkRenderingOpenGL2; from vtkshadow import vtkShadowVolumePass"
+        )
         self.assertEqual(status, 1, error)
         self.assertIn("ImportError", error)
         self.assertIn(importlib.metadata.version("cvista"), error)

@@ -30,7 +30,9 @@ def make_plotter():
 def expected_shadow():
     """Rays from the light through the plate, down to the floor. Seen from above the plate hides what is below it."""
     step = 2 * SCALE / HEIGHT
-    x, y = numpy.meshgrid((numpy.arange(WIDTH) + 0.5 - WIDTH / 2) * step, (numpy.arange(HEIGHT) + 0.5 - HEIGHT / 2) * step)
+    x, y = numpy.meshgrid(
+        (numpy.arange(WIDTH) + 0.5 - WIDTH / 2) * step, (numpy.arange(HEIGHT) + 0.5 - HEIGHT / 2) * step
+    )
     spread = (LIGHT[2] - LEVEL) / LIGHT[2]
     on_plate = [LIGHT[0] + (x - LIGHT[0]) * spread, LIGHT[1] + (y - LIGHT[1]) * spread]
     behind = numpy.maximum(*map(numpy.abs, on_plate)) < PLATE
@@ -56,12 +58,16 @@ def main():
     expected, found = expected_shadow(), shadow_of(shadows)
     assert expected.sum() > 1000, "the scene shows too little shadow"
     different = int((expected != found).sum())
-    print(f"vtkshadow {vtkshadow.__version__}, {plotter.render_window.GetClassName()}: {int(found.sum())} pixels in shadow, "
-          f"{int(expected.sum())} by calculation, {different} differ")
+    print(
+        f"vtkshadow {vtkshadow.__version__}, {plotter.render_window.GetClassName()}: {int(found.sum())} pixels in shadow, "
+        f"{int(expected.sum())} by calculation, {different} differ"
+    )
     assert different == 0
     brightness = picture[::-1].sum(axis=2)
     assert brightness[found].max() < brightness[~found].min(), "the picture does not show the mask"
-    print(f"{seconds:.2f} s from import to the first picture with shadows, {processor:.2f} s of processor time")
+    print(
+        f"{seconds:.2f} s from import to the first picture with shadows, {processor:.2f} s of processor time"
+    )
     assert processor <= MOST_SECONDS
 
 
