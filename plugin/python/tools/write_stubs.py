@@ -58,14 +58,12 @@ class Stub:
 
     def property_text(self, name, each):
         """From VTK 9.4 on methods GetLineWidth and SetLineWidth make a property line_width."""
-        methods = {
-            key.lower(): (key, method) for key, method in vars(each).items() if inspect.isroutine(method)
-        }
+        methods = {key.lower(): (key, value) for key, value in vars(each).items() if inspect.isroutine(value)}
         result, stem = "Any", name.replace("_", "")
         if "get" + stem in methods:
             signatures, _ = split(*methods["get" + stem])
-            result = ast.parse(f"def {signatures[0]}: ...").body[0].returns if signatures else None
-            result = self.annotation(result, False) if result else "Any"
+            returns = [ast.parse(f"def {signature}: ...").body[0].returns for signature in signatures]
+            result = self.annotation(returns[0], False) if returns else "Any"
         text = f"@property\ndef {name}(self) -> {result}: ..."
         if "set" + stem in methods:
             text += f"\n@{name}.setter\ndef {name}(self, value: {result}) -> None: ..."
