@@ -12,8 +12,8 @@ import unittest
 
 PROJECT = pathlib.Path(sys.argv.pop(1)).resolve()
 
-TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "CHANGELOG.md", "CMakePresets.json", "plugin", "nodes", "visitors",
-             "shaders", "examples", "tests"}
+TOP_LEVEL = {"CMakeLists.txt", "README.md", "LICENSE", "CHANGELOG.md", "CMakePresets.json", "pyproject.toml", "plugin",
+             "nodes", "visitors", "shaders", "examples", "tests"}
 
 # room -> rooms it may include, itself always
 ROOMS = {
@@ -76,6 +76,10 @@ class House(unittest.TestCase):
         for room in [*ROOMS, "plugin/passes", "plugin/headless"]:
             for source in (PROJECT / room).rglob("*.cxx"):
                 self.assertNotRegex(source.read_text(), r"gl_Position\s*[=.]|#version \d", str(source))
+
+    def test_the_wheel_is_for_one_vtk(self):
+        versions = re.findall(r'"cvista[^"=]*==([^"]*)"', (PROJECT / "pyproject.toml").read_text())
+        self.assertEqual((len(versions), len(set(versions))), (3, 1), "what it is built for is what it asks for")
 
 
 if __name__ == "__main__":

@@ -7,15 +7,23 @@ Without a display, before anything of VTK:
 
     import vtkshadow.headless
     from vtkshadow import vtkHeadlessRenderWindow
+
+From 9.4 on VTK's own window needs no display. A package that was built without ours, as wheels are, has no
+vtkHeadlessRenderWindow, and the import of vtkshadow.headless does nothing.
 """
 
 import importlib
 
-# VTK is loaded with the first class that is asked for, so that `import vtkshadow.headless` comes before it.
-_MODULES = {"vtkShadowVolumePass": "vtkShadowPasses", "vtkSilhouettePass": "vtkShadowPasses",
-            "vtkHeadlessRenderWindow": "vtkShadowHeadless"}
+from . import _vtk
+from ._build import HAS_WINDOW, VERSION as __version__
 
-__all__ = ["vtkShadowVolumePass", "vtkSilhouettePass"]  # the headless window only for those who ask for it
+# VTK is loaded with the first class that is asked for, so that `import vtkshadow.headless` comes before it.
+_MODULES = {"vtkShadowVolumePass": "vtkShadowPasses", "vtkSilhouettePass": "vtkShadowPasses"}
+__all__ = list(_MODULES)
+if HAS_WINDOW:  # only for those who ask for it
+    _MODULES["vtkHeadlessRenderWindow"] = "vtkShadowHeadless"
+
+_vtk.find()
 
 
 def __getattr__(name):
@@ -23,9 +31,7 @@ def __getattr__(name):
         raise AttributeError(f"module 'vtkshadow' has no attribute '{name}'")
     if name == "vtkHeadlessRenderWindow":
         importlib.import_module(".headless", __name__)
-    # The wrapped classes' base classes; VTK's object factories need the second one.
-    importlib.import_module("vtkmodules.vtkRenderingCore")
-    importlib.import_module("vtkmodules.vtkRenderingOpenGL2")
+    _vtk.load()
     value = getattr(importlib.import_module("." + _MODULES[name], __name__), name)
     globals()[name] = value
     return value

@@ -11,6 +11,7 @@ import ctypes
 import os
 import sys
 
+from ._build import HAS_WINDOW, VTK_PACKAGE
 from ._location import LIBRARIES
 
 # What the window will load, and Debian's package of it.
@@ -45,9 +46,9 @@ def _load_backend(choices):
 
 
 def _stand_in_front_of_gl():
-    if "vtkmodules" in sys.modules:
+    if VTK_PACKAGE in sys.modules:
         raise ImportError(
-            "vtkshadow.headless has to be imported before vtkmodules (or vtk, or pyvista): "
+            f"vtkshadow.headless has to be imported before {VTK_PACKAGE} (or vtk, or pyvista): "
             "VTK has already loaded the GL of the system"
         )
     choice = os.environ.get("VTKSHADOW_HEADLESS", "")
@@ -64,4 +65,5 @@ def _stand_in_front_of_gl():
     return backend, shim
 
 
-_libraries = _stand_in_front_of_gl()
+# Without a window of ours VTK's own draws without a display.
+_libraries = _stand_in_front_of_gl() if HAS_WINDOW else ()

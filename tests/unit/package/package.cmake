@@ -28,3 +28,13 @@ if(VTKSHADOW_HEADLESS AND VTKSHADOW_PYTHON_WRAPPED)
       ENVIRONMENT "PYTHONPATH=${package_prefix}/${VTKSHADOW_PYTHON_DESTINATION}")
   endforeach()
 endif()
+
+if(VTKSHADOW_PYTHON_WRAPPED)
+  foreach(test vtk stubs)
+    add_test(NAME package.PythonPackage_${test}
+      COMMAND ${VTKSHADOW_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/python_${test}.py)
+    set_tests_properties(package.PythonPackage_${test} PROPERTIES
+      LABELS unit FIXTURES_REQUIRED package TIMEOUT 120
+      ENVIRONMENT "PYTHONPATH=${package_prefix}/${VTKSHADOW_PYTHON_DESTINATION}")
+  endforeach()
+endif()
