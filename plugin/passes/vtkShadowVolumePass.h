@@ -115,8 +115,9 @@ public:
    * the CPU for the size of each caster.
    *
    * A method that the GL cannot do gives way to the next best: SILHOUETTE_FACING_TEXTURE_RESIDENT, then
-   * SILHOUETTE_FACING_TEXTURE, then SILHOUETTE_BRUTE_FORCE. GetStatusMessage() tells why; the status stays
-   * OK, since the picture is the same.
+   * SILHOUETTE_FACING_TEXTURE, then SILHOUETTE_BRUTE_FORCE. So does one that the GL draws wrongly: when it is
+   * first used in a GL context, it has to draw a tiny scene of which the shadows are known. GetStatusMessage()
+   * tells why; the status stays OK, since the picture is the same.
    */
   vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_AUTO, SILHOUETTE_COMPUTE);
   vtkGetMacro(SilhouetteMethod, int);
@@ -294,6 +295,8 @@ public:
    * Milliseconds of the last rendering's stages, see MeasureStages.
    */
   double GetSceneMilliseconds() const;      ///< mirroring props, adjacency
+  double GetCheckMilliseconds() const;      ///< trying out what is used for the first time in a GL context,
+                                            ///< shaders that are compiled for it too; else 0
   double GetSilhouetteMilliseconds() const; ///< facing, silhouette, volume, all lights
   double GetReadBackMilliseconds() const;   ///< of these, copying back what a GPU found; 0 where nothing is
   double GetPrePassMilliseconds() const;
