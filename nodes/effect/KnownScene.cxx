@@ -100,7 +100,7 @@ double hit(const glm::dvec3 (&corners)[3], const glm::dvec3& start, const glm::d
 } // namespace
 
 KnownScene::KnownScene(bool parallelView)
-    : lights{{0, {-3.0, 9.0, 4.0, 1.0}}, {maximumLights - 1, {-0.84, 1.0, 0.19, 0.0}}}
+    : lights{{0, {-3.0, 9.0, 4.0, 1.0}}, {maximumLights - 1, {-0.78, 1.0, 0.19, 0.0}}}
 {
   const glm::dmat4 viewFromWC = glm::lookAt(glm::dvec3(0, 7, 6), glm::dvec3(0, 0.3, 0), glm::dvec3(0, 1, 0));
   const glm::dmat4 clipFromView = parallelView ? glm::ortho(-2.9, 2.9, -2.9, 2.9, 1.0, 20.0)

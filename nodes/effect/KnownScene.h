@@ -16,7 +16,8 @@ namespace shadow
 class KnownScene
 {
 public:
-  static constexpr int side = 32; ///< of the picture, in pixels
+  /// Of the picture, in pixels. No power of two, as of windows: see TexelArray::allocate().
+  static constexpr int side = 35;
 
   /// What the mask has to be at a pixel.
   enum class Answer : unsigned char

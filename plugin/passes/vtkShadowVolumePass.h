@@ -77,7 +77,8 @@ public:
   ///@{
   /**
    * The buffer that shadow volumes are counted in. Methods that keep silhouettes on the GPU always count in
-   * colour. Both give the same picture. Samples > 1 need GL 4.0 for the colour buffer; without it the stencil
+   * colour. Both give the same picture, and where the GL counts wrongly in one the other is used, which
+   * GetStatusMessage() then tells. Samples > 1 need GL 4.0 for the colour buffer; without it the stencil
    * is used. Default: Auto.
    */
   vtkSetClampMacro(CountBuffer, int, COUNT_AUTO, COUNT_COLOR);
@@ -238,7 +239,8 @@ public:
   {
     STATUS_OK = 0,        ///< all shadows are there
     STATUS_PARTIAL,       ///< drawn, but something was left out: see GetStatusMessage()
-    STATUS_NOT_SUPPORTED, ///< the GL lacks what shadow volumes need: drawn without shadows
+    STATUS_NOT_SUPPORTED, ///< the GL lacks what shadow volumes need, or draws them wrongly by every method:
+                          ///< drawn without shadows
     STATUS_NOT_RENDERED   ///< nothing has been rendered yet
   };
   int GetStatus() const;
