@@ -69,7 +69,8 @@ std::vector<Object> makeObjects()
   TriangleSoup awning = {{{-2.35, 7.5, 3.3}, {-1.95, 7.5, 3.1}, {-0.9, 7.5, 4.7}, {-1.6, 7.5, 5.2}}, {}};
   addQuad(awning, 0, 3, 2, 1);
   // The point light is in the plane of the mirrored box's side.
-  return {{box, {place({-1.5, 1.5, 1.2}, {0.4, 0.45, 0.45}, 40.0), place({-2.55, 1.2, -0.9}, {-0.45, 0.4, 0.5}, 0.0)}},
+  const glm::dmat4 mirrored = place({-2.55, 1.2, -0.9}, {-0.45, 0.4, 0.5}, 0.0);
+  return {{box, {place({-1.5, 1.5, 1.2}, {0.4, 0.45, 0.45}, 40.0), mirrored}},
           {walled, {place({-0.1, 1.6, -0.9}, {0.5, 0.45, 0.4}, 25.0)}},
           {doubled, {place({0.3, 1.2, 1.4}, {0.6, 0.6, 0.6}, 15.0)}},
           {floor, {glm::dmat4(1.0)}},

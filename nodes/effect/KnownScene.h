@@ -10,9 +10,9 @@
 namespace shadow
 {
 
-/// A tiny scene of which it is known what the shadow mask has to be: closed and open meshes, one with an inner
-/// wall, one that is there twice, one mirrored and with a light in the plane of a side, and one in whose shadow
-/// the eye is; a point light and a directional one.
+/// A tiny scene of which it is known what the shadow mask has to be: closed and open meshes, one with an
+/// inner wall, one with triangles that are there twice, one mirrored and with a light in the plane of a side,
+/// and one in whose shadow the eye is; a point light and a directional one.
 class KnownScene
 {
 public:
@@ -32,11 +32,11 @@ public:
   const View& getView() const { return this->view; }
   const std::vector<Light>& getLights() const { return this->lights; }
 
-  /// Adds the scene to @p root. @par Cost  that of building adjacency for 60 triangles
+  /// Adds the scene to @p root. @par Cost  that of building adjacency for 36 triangles
   void addTo(Group& root) const;
 
-  /// side * side answers, bottom row first: what a ray through each of a pixel's corners finds, where all four
-  /// find the same.
+  /// side * side answers, bottom row first: what a ray through each of a pixel's corners finds, where all
+  /// four find the same.
   /// @param light  place in getLights()
   /// @par Cost  some milliseconds
   std::vector<Answer> findAnswers(std::size_t light) const;

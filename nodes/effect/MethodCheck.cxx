@@ -22,8 +22,8 @@ namespace
 /// What decides which parts of the GL are used.
 using Way = std::tuple<SilhouetteMethod, CountBuffer, int, bool>;
 
-/// The faults that were found, by GL context. VTK numbers contexts by the time at which they were made, which is
-/// another for each.
+/// The faults that were found, by GL context. VTK numbers contexts by the time at which they were made,
+/// which is another for each.
 class KnownFaults
 {
 public:
@@ -106,7 +106,9 @@ std::optional<std::string> findFault(vtkOpenGLRenderWindow* window, ShadowVolume
       wrong += countWrong(answers, masks[mask]);
     }
   }
-  return wrong == 0 ? "" : "this GL draws shadows wrongly, as " + std::to_string(wrong) + " pixels of a test tell";
+  return wrong == 0
+             ? ""
+             : "this GL draws shadows wrongly, as " + std::to_string(wrong) + " pixels of a test tell";
 }
 
 } // namespace

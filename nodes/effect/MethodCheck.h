@@ -20,7 +20,7 @@ struct MethodCheck
 /// window's GL context for the same way through the GL: method (one for all on the CPU), count buffer, samples,
 /// parallel or perspective view.
 ///
-/// What is not drawn at all, since the GL refuses it, is no fault: it is for who draws the picture to tell.
+/// What is not drawn at all, since the GL refuses it, is no fault: who draws the picture will be told.
 ///
 /// @param effect  for settings.silhouetteMethod; what it compiles here is what it draws with
 /// @pre   the window's context is current

@@ -119,8 +119,8 @@ bool vtkShadowVolumePass::vtkInternals::RendererState::CheckEffect(
   {
     return false;
   }
-  note += (note.empty() ? "" : "\n") + toString(settings.silhouetteMethod) + ": " + fault + "; it counts in " +
-          (color ? "the stencil" : "colour") + " instead";
+  note += (note.empty() ? "" : "\n") + toString(settings.silhouetteMethod) + ": " + fault +
+          "; it counts in " + (color ? "the stencil" : "colour") + " instead";
   return true;
 }
 

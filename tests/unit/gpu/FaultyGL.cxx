@@ -10,7 +10,8 @@ std::string wrongText;
 int altered = 0;
 decltype(glShaderSource) giveSource = nullptr;
 
-void GLAPIENTRY giveWrongSource(GLuint shader, GLsizei count, const GLchar* const* strings, const GLint* lengths)
+void GLAPIENTRY giveWrongSource(GLuint shader, GLsizei count, const GLchar* const* strings,
+                                const GLint* lengths)
 {
   std::string text;
   for (GLsizei i = 0; i < count; ++i)

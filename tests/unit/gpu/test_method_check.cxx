@@ -133,7 +133,8 @@ TEST(MethodCheck, DrawsWronglyWithoutAnError_TheMethodGivesWay)
   };
   const Fault faults[] = {
       {vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE, "texel = facing;", "texel = facing & 0xfffffffeu;"},
-      {vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE_RESIDENT, "texel = facing;", "texel = facing & 0x7fffffffu;"},
+      {vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE_RESIDENT, "texel = facing;",
+       "texel = facing & 0x7fffffffu;"},
       {vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE_RESIDENT, "abs(float(times))", "0.0"},
       {vtkShadowVolumePass::SILHOUETTE_VERTEX_TEXTURE, "(there.x & ~back.x)", "0u"},
       {vtkShadowVolumePass::SILHOUETTE_VERTEX_TEXTURE, "(there.x & back.y) | (there.y & back.x)", "0u"},
@@ -175,7 +176,8 @@ TEST(MethodCheck, IndirectDrawsAreLost_ComputeGivesWay)
 
 TEST(MethodCheck, OneBufferCountsWrongly_TheOtherCounts)
 {
-  for (const int method : {vtkShadowVolumePass::SILHOUETTE_BRUTE_FORCE, vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE})
+  for (const int method :
+       {vtkShadowVolumePass::SILHOUETTE_BRUTE_FORCE, vtkShadowVolumePass::SILHOUETTE_FACING_TEXTURE})
   {
     for (const bool color : {false, true})
     {
@@ -192,7 +194,8 @@ TEST(MethodCheck, OneBufferCountsWrongly_TheOtherCounts)
       {
         lost = std::make_unique<LostStencilCounts>();
       }
-      scene.pass->SetCountBuffer(color ? vtkShadowVolumePass::COUNT_COLOR : vtkShadowVolumePass::COUNT_STENCIL);
+      scene.pass->SetCountBuffer(color ? vtkShadowVolumePass::COUNT_COLOR
+                                       : vtkShadowVolumePass::COUNT_STENCIL);
       scene.pass->SetSilhouetteMethod(method);
       for (int frame = 0; frame < 2; ++frame)
       {
@@ -222,7 +225,8 @@ TEST(MethodCheck, NothingIsRight_NoShadowsAndTheStatusTells)
     {
       scene.window->Render();
       EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_NOT_SUPPORTED);
-      const int last = isOnGPU(static_cast<SilhouetteMethod>(method)) ? vtkShadowVolumePass::SILHOUETTE_BRUTE_FORCE : method;
+      const bool onGPU = isOnGPU(static_cast<SilhouetteMethod>(method));
+      const int last = onGPU ? vtkShadowVolumePass::SILHOUETTE_BRUTE_FORCE : method;
       EXPECT_EQ(scene.pass->GetStatusMessage().find(nameOf(last) + ": this GL draws shadows wrongly"), 0u)
           << scene.pass->GetStatusMessage();
       EXPECT_EQ(scene.pass->GetSideTriangles(), 0);
