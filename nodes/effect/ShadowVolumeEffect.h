@@ -69,6 +69,9 @@ public:
   /// What the current context can do. @pre a context is current, always the same until release()
   const Capabilities& getCapabilities();
 
+  /// The buffer that volumes are counted in. @pre getCapabilities() has been called
+  virtual CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const;
+
   /// Renders the shadow mask.
   ///
   /// @pre   the window's context is current; GL state is put back before this returns
@@ -77,6 +80,7 @@ public:
                   const Settings& settings, std::string& error);
 
   const Statistics& getStatistics() const { return this->statistics; }
+  void clearStatistics() { this->statistics = {}; }
   ShadowTarget& getTarget() { return this->target; }
   const DepthRange& getDepthRange() const { return this->depthRange; }
 
@@ -111,8 +115,6 @@ protected:
 
   /// Counts the volumes for one light and takes what they cover out of the mask. @return as findFacing()
   virtual bool drawVolumes(const Frame& frame, const Light& light, std::string& error);
-
-  virtual CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const;
 
   /// Volumes from the facing that every SEDGeode has.
   void extrude(const Frame& frame, const SilhouetteFinder& silhouetteFinder);

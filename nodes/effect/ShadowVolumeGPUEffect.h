@@ -34,6 +34,7 @@ public:
 
   SilhouetteMethod getMethod() const { return this->name; }
 
+  CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const override;
   void release(bool contextLost) override;
   std::size_t getGraphicsMemorySize() const override;
 
@@ -42,7 +43,6 @@ protected:
   bool drawSurfaces(const Frame& frame, std::string& error) override;
   bool findSilhouettes(const Frame& frame, std::string& error) override;
   bool drawVolumes(const Frame& frame, const Light& light, std::string& error) override;
-  CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const override;
 
 private:
   bool drawExactVolumes(const Frame& frame, StencilCount count, std::string& error);

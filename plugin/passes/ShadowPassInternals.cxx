@@ -34,6 +34,7 @@ bool vtkShadowVolumePass::vtkInternals::PrepareMask(vtkShadowVolumePass* self, c
   this->LightingMilliseconds = 0.0;
 
   this->SceneMilliseconds = 0.0;
+  state.CheckMilliseconds = 0.0;
   state.View = shadow::currentView(renderer, window);
   if (const std::string fault = shadow::findFault(state.View); !fault.empty())
   {
@@ -85,21 +86,23 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
 {
   shadow::ShadowVolumeEffect::Settings settings;
   settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
-  settings.countBuffer = static_cast<shadow::CountBuffer>(self->CountBuffer);
   settings.coplanarTolerance = self->CoplanarTolerance;
   settings.samples = this->ChooseSamples(self->Samples, state);
   settings.waitAfterStages = self->MeasureStages;
   while (true)
   {
     std::string note;
+    std::string error;
+    settings.countBuffer = static_cast<shadow::CountBuffer>(self->CountBuffer);
     settings.silhouetteMethod = state.ChooseMethod(self->SilhouetteMethod, settings.samples, note);
-    const shadow::Stopwatch scene;
     state.ChooseEffect(settings.silhouetteMethod);
+    const bool right = state.CheckEffect(settings, note, error);
+    const shadow::Stopwatch scene;
     this->UpdateScene(self, state);
     settings.findHiddenBacks = !state.Builder.mayBeSeenThrough();
     this->SceneMilliseconds += scene.getMilliseconds();
-    std::string error;
-    if (state.Effect->renderMask(state.Context.getWindow(), state.View, lights.lights, settings, error))
+    if (right &&
+        state.Effect->renderMask(state.Context.getWindow(), state.View, lights.lights, settings, error))
     {
       this->UsedMethod = static_cast<int>(settings.silhouetteMethod);
       this->AddNote(note);
@@ -116,7 +119,7 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
         continue;
       }
       this->Message.clear();
-      this->AddMessage(error);
+      this->AddMessage(right ? error : toString(settings.silhouetteMethod) + ": " + error);
       this->Status = STATUS_NOT_SUPPORTED;
       return false;
     }

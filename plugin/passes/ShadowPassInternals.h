@@ -55,6 +55,14 @@ public:
     /// Has the effect that a silhouette method needs.
     void ChooseEffect(shadow::SilhouetteMethod method);
 
+    /// Whether the effect draws right in this context. Where it does so only with another count buffer than
+    /// the one in @p settings, and may, it gets that.
+    /// @param note  one line more when it does
+    /// @param fault  one line when nothing is right
+    /// @pre   ChooseEffect()
+    bool CheckEffect(shadow::ShadowVolumeEffect::Settings& settings, std::string& note, std::string& fault);
+    double CheckMilliseconds = 0.0; ///< added up by CheckEffect()
+
     /// @post the context is current, and GL objects of a context that is gone are forgotten
     void Acquire();
     void Release();

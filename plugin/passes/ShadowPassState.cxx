@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "MethodCheck.h"
 #include "OpenGL.h"
 #include "ShadowVolumeGPUEffect.h"
 
@@ -91,6 +92,36 @@ void vtkShadowVolumePass::vtkInternals::RendererState::ChooseEffect(shadow::Silh
   {
     this->Effect = std::make_shared<shadow::ShadowVolumeEffect>();
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkShadowVolumePass::vtkInternals::RendererState::CheckEffect(
+    shadow::ShadowVolumeEffect::Settings& settings, std::string& note, std::string& fault)
+{
+  const auto check = [&]
+  {
+    const shadow::MethodCheck result =
+        shadow::checkMethod(this->Context.getWindow(), *this->Effect, settings, this->View.parallel);
+    this->CheckMilliseconds += result.milliseconds;
+    return result.fault;
+  };
+  fault = check();
+  if (fault.empty())
+  {
+    return true;
+  }
+  const auto choose = [&](shadow::CountBuffer wanted)
+  { return this->Effect->chooseCountBuffer(wanted, settings.samples); };
+  const shadow::CountBuffer first = choose(settings.countBuffer);
+  const bool color = first == shadow::CountBuffer::Color;
+  settings.countBuffer = color ? shadow::CountBuffer::Stencil : shadow::CountBuffer::Color;
+  if (choose(settings.countBuffer) == first || !check().empty())
+  {
+    return false;
+  }
+  note += (note.empty() ? "" : "\n") + toString(settings.silhouetteMethod) + ": " + fault +
+          "; it counts in " + (color ? "the stencil" : "colour") + " instead";
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -77,7 +77,8 @@ public:
   ///@{
   /**
    * The buffer that shadow volumes are counted in. Methods that keep silhouettes on the GPU always count in
-   * colour. Both give the same picture. Samples > 1 need GL 4.0 for the colour buffer; without it the stencil
+   * colour. Both give the same picture, and where the GL counts wrongly in one the other is used, which
+   * GetStatusMessage() then tells. Samples > 1 need GL 4.0 for the colour buffer; without it the stencil
    * is used. Default: Auto.
    */
   vtkSetClampMacro(CountBuffer, int, COUNT_AUTO, COUNT_COLOR);
@@ -115,8 +116,9 @@ public:
    * the CPU for the size of each caster.
    *
    * A method that the GL cannot do gives way to the next best: SILHOUETTE_FACING_TEXTURE_RESIDENT, then
-   * SILHOUETTE_FACING_TEXTURE, then SILHOUETTE_BRUTE_FORCE. GetStatusMessage() tells why; the status stays
-   * OK, since the picture is the same.
+   * SILHOUETTE_FACING_TEXTURE, then SILHOUETTE_BRUTE_FORCE. So does one that the GL draws wrongly: when it is
+   * first used in a GL context, it has to draw a tiny scene of which the shadows are known. GetStatusMessage()
+   * tells why; the status stays OK, since the picture is the same.
    */
   vtkSetClampMacro(SilhouetteMethod, int, SILHOUETTE_AUTO, SILHOUETTE_COMPUTE);
   vtkGetMacro(SilhouetteMethod, int);
@@ -237,7 +239,8 @@ public:
   {
     STATUS_OK = 0,        ///< all shadows are there
     STATUS_PARTIAL,       ///< drawn, but something was left out: see GetStatusMessage()
-    STATUS_NOT_SUPPORTED, ///< the GL lacks what shadow volumes need: drawn without shadows
+    STATUS_NOT_SUPPORTED, ///< the GL lacks what shadow volumes need, or draws them wrongly by every method:
+                          ///< drawn without shadows
     STATUS_NOT_RENDERED   ///< nothing has been rendered yet
   };
   int GetStatus() const;
@@ -294,6 +297,8 @@ public:
    * Milliseconds of the last rendering's stages, see MeasureStages.
    */
   double GetSceneMilliseconds() const;      ///< mirroring props, adjacency
+  double GetCheckMilliseconds() const;      ///< trying out what is used for the first time in a GL context,
+                                            ///< shaders that are compiled for it too; else 0
   double GetSilhouetteMilliseconds() const; ///< facing, silhouette, volume, all lights
   double GetReadBackMilliseconds() const;   ///< of these, copying back what a GPU found; 0 where nothing is
   double GetPrePassMilliseconds() const;

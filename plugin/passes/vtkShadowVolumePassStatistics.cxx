@@ -117,6 +117,11 @@ double vtkShadowVolumePass::GetSceneMilliseconds() const
   return this->Internals->SceneMilliseconds;
 }
 
+double vtkShadowVolumePass::GetCheckMilliseconds() const
+{
+  return this->Internals->Current != nullptr ? this->Internals->Current->CheckMilliseconds : 0.0;
+}
+
 double vtkShadowVolumePass::GetSilhouetteMilliseconds() const
 {
   return this->Internals->GetStatistics().silhouetteMilliseconds;

@@ -123,6 +123,7 @@ if(VTKSHADOW_HEADLESS)
 
   # What is drawn, and with what on a GL that can do less.
   add_executable(test_gpu_silhouettes
+    gpu/FaultyGL.cxx
     gpu/UploadCounter.cxx
     outlines/RefusingGL.cxx
     gpu/test_deforming_mesh.cxx
@@ -130,9 +131,10 @@ if(VTKSHADOW_HEADLESS)
     gpu/test_gpu_method_changes.cxx
     gpu/test_gpu_methods.cxx
     gpu/test_gpu_silhouettes.cxx
+    gpu/test_method_check.cxx
     gpu/test_moved_buffers.cxx)
   target_link_libraries(test_gpu_silhouettes PRIVATE
-    shadow_silhouette_probe shadow_ball_scene GTest::gtest_main shadow_warnings ${CMAKE_DL_LIBS})
+    shadow_silhouette_probe shadow_ball_scene shadow_effect GTest::gtest_main shadow_warnings ${CMAKE_DL_LIBS})
   target_include_directories(test_gpu_silhouettes PRIVATE outlines silhouettes)
   vtk_module_autoinit(TARGETS test_gpu_silhouettes MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
   gtest_discover_tests(test_gpu_silhouettes DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)

@@ -91,7 +91,10 @@ bool TexelArray::allocate(std::size_t texels, std::string& error)
   const double root = std::sqrt(static_cast<double>(std::max<std::size_t>(texels, 1)));
   const auto newWidth = std::min(side, static_cast<std::size_t>(std::exp2(std::ceil(std::log2(root)))));
   const int rows = std::max(1, countNeeded(texels, newWidth));
-  const int newHeight = std::min(rows, static_cast<int>(side));
+  // But the height is none, where there is room for a row more: llvmpipe compiles shaders that read textures
+  // of one kind anew for those of the other.
+  const bool isPower = (rows & (rows - 1)) == 0;
+  const int newHeight = std::min(isPower ? std::max(rows + 1, 3) : rows, static_cast<int>(side));
   const int newLayers = countNeeded(static_cast<std::size_t>(rows), static_cast<std::size_t>(newHeight));
   const bool fits = this->texture != 0 && static_cast<int>(newWidth) == this->width &&
                     newHeight == this->height && newLayers == this->layers;

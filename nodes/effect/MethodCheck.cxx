@@ -1,0 +1,142 @@
+#include "MethodCheck.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include "KnownScene.h"
+#include "Stopwatch.h"
+
+namespace shadow
+{
+
+namespace
+{
+
+/// What decides which parts of the GL are used.
+using Way = std::tuple<SilhouetteMethod, CountBuffer, int, bool>;
+
+/// The faults that were found, by GL context. VTK numbers contexts by the time at which they were made,
+/// which is another for each.
+class KnownFaults
+{
+public:
+  std::optional<std::string> find(vtkMTimeType context, const Way& way)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    const auto entry = this->contexts.find(context);
+    if (entry == this->contexts.end() || entry->second.count(way) == 0)
+    {
+      return std::nullopt;
+    }
+    return entry->second.at(way);
+  }
+
+  void add(vtkMTimeType context, const Way& way, const std::string& fault)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    this->contexts[context][way] = fault;
+    if (this->contexts.size() > most)
+    {
+      this->contexts.erase(this->contexts.begin()); // the oldest; were it still there, it is checked again
+    }
+  }
+
+private:
+  static constexpr std::size_t most = 100; ///< contexts
+  std::mutex mutex;
+  std::map<vtkMTimeType, std::map<Way, std::string>> contexts;
+};
+
+/// Pixels of a mask that are not as they have to be. Where a pixel has several samples, one may find what no
+/// corner of it does.
+std::size_t countWrong(const std::vector<KnownScene::Answer>& answers, const std::vector<unsigned char>& mask)
+{
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i)
+  {
+    wrong += answers[i] == KnownScene::Answer::Reached && mask[i] < 192 ? 1 : 0;
+    wrong += answers[i] == KnownScene::Answer::Shadow && mask[i] > 63 ? 1 : 0;
+  }
+  return wrong;
+}
+
+/// @return the fault, empty when there is none; nothing when the GL refuses to draw
+std::optional<std::string> findFault(vtkOpenGLRenderWindow* window, ShadowVolumeEffect& effect,
+                                     ShadowVolumeEffect::Settings settings, bool parallelView)
+{
+  const KnownScene scene(parallelView);
+  effect.clearChildren();
+  scene.addTo(effect);
+  settings.coplanarTolerance = 0.0;
+  settings.findHiddenBacks = false;
+  settings.waitAfterStages = false;
+  std::vector<std::vector<unsigned char>> masks; // of one light after the other
+  std::string refusal;
+  for (const StencilMethod stencilMethod : {StencilMethod::ZFail, StencilMethod::Auto})
+  {
+    settings.stencilMethod = stencilMethod;
+    if (refusal.empty() &&
+        effect.renderMask(window, scene.getView(), scene.getLights(), settings, refusal))
+    {
+      for (const Light& light : scene.getLights())
+      {
+        masks.push_back(effect.getTarget().readMask(window, light.index));
+      }
+    }
+  }
+  effect.clearChildren();
+  effect.clearStatistics();
+  if (!refusal.empty())
+  {
+    return std::nullopt;
+  }
+  std::size_t wrong = 0;
+  for (std::size_t light = 0; light < scene.getLights().size(); ++light)
+  {
+    const std::vector<KnownScene::Answer> answers = scene.findAnswers(light);
+    for (std::size_t mask = light; mask < masks.size(); mask += scene.getLights().size())
+    {
+      wrong += countWrong(answers, masks[mask]);
+    }
+  }
+  return wrong == 0
+             ? ""
+             : "this GL draws shadows wrongly, as " + std::to_string(wrong) + " pixels of a test tell";
+}
+
+} // namespace
+
+MethodCheck checkMethod(vtkOpenGLRenderWindow* window, ShadowVolumeEffect& effect,
+                        const ShadowVolumeEffect::Settings& settings, bool parallelView)
+{
+  static KnownFaults knownFaults;
+  const Stopwatch stopwatch;
+  const int samples = std::min(settings.samples, effect.getCapabilities().maximumSamples);
+  // Methods on the CPU have one way through the GL.
+  const SilhouetteMethod method =
+      isOnGPU(settings.silhouetteMethod) ? settings.silhouetteMethod : SilhouetteMethod::Auto;
+  const Way way(method, effect.chooseCountBuffer(settings.countBuffer, samples), samples, parallelView);
+  const vtkMTimeType context = window->GetContextCreationTime();
+  MethodCheck check;
+  std::optional<std::string> fault = knownFaults.find(context, way);
+  if (!fault)
+  {
+    fault = findFault(window, effect, settings, parallelView);
+    if (fault)
+    {
+      knownFaults.add(context, way, *fault);
+    }
+    check.milliseconds = stopwatch.getMilliseconds();
+  }
+  check.fault = fault.value_or("");
+  return check;
+}
+
+} // namespace shadow
