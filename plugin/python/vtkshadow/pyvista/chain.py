@@ -1,0 +1,137 @@
+"""Where the passes stand among those that PyVista, or its user, has set."""
+
+from importlib import import_module
+
+from vtkshadow import vtkShadowVolumePass
+
+# The VTK that the passes were built for, whatever its package is called.
+_gl = import_module(vtkShadowVolumePass.__mro__[1].__module__)
+
+_SHADOW_MAPS = (_gl.vtkShadowMapPass, _gl.vtkShadowMapBakerPass)
+
+
+def _items(drawing):
+    """What a camera pass has below it, one after the other."""
+    if not isinstance(drawing, _gl.vtkSequencePass):
+        return [] if drawing is None else [drawing]
+    passes = drawing.GetPasses()
+    return [] if passes is None else [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
+
+
+def _steps_with(effects, steps):
+    """Steps like those given, but for the opaque one."""
+    ours = _gl.vtkRenderStepsPass()
+    ours.SetOpaquePass(effects.opaque(steps.GetOpaquePass()))
+    for step in ("Camera", "Lights", "Translucent", "Volumetric", "Overlay", "PostProcess"):
+        getattr(ours, f"Set{step}Pass")(getattr(steps, f"Get{step}Pass")())
+    return ours
+
+
+def sequence_with(effects, drawing):
+    """A new sequence that draws like the pass given, with our passes where that draws what is opaque.
+
+    Exact shadows take the place of shadow maps; lines alone go over them. None where it draws nothing opaque that is
+    known.
+    """
+    items = _items(drawing)
+    if effects.settings["enabled"]:
+        items = [item for item in items if not isinstance(item, _SHADOW_MAPS)]
+    maps = [item for item in items if isinstance(item, _gl.vtkShadowMapPass)]
+    collection, found = _gl.vtkRenderPassCollection(), False
+    for item in items:
+        if item in maps or isinstance(item, _gl.vtkOpaquePass):
+            item, found = effects.opaque(item), True
+        elif isinstance(item, _gl.vtkRenderStepsPass) and not maps:
+            item, found = _steps_with(effects, item), True
+        collection.AddItem(item)
+    if not found:
+        return None
+    sequence = _gl.vtkSequencePass()
+    sequence.SetPasses(collection)
+    return sequence
+
+
+def camera_with(effects, camera):
+    """A new camera pass like the one given, around sequence_with(); None where there can be none."""
+    if not isinstance(camera, _gl.vtkCameraPass):
+        return None
+    sequence = sequence_with(effects, camera.GetDelegatePass())
+    if sequence is None:
+        return None
+    ours = _gl.vtkCameraPass()
+    ours.SetAspectRatioOverride(camera.GetAspectRatioOverride())
+    ours.SetDelegatePass(sequence)
+    return ours
+
+
+def _camera_below(top):
+    """The camera pass at the lower end of a chain of delegates, or None."""
+    seen = []
+    while top is not None and not isinstance(top, _gl.vtkCameraPass) and top not in seen:
+        seen.append(top)
+        top = top.GetDelegatePass() if hasattr(top, "GetDelegatePass") else None
+    return top if isinstance(top, _gl.vtkCameraPass) else None
+
+
+class Chain:
+    """Puts the passes into the renderer's own, and takes them out again.
+
+    PyVista keeps one camera pass, below all others, and only ever asks for that. So nothing of PyVista's is changed but
+    what this camera pass draws, and nothing of ours is lost when it strings the others together anew.
+    """
+
+    def __init__(self, renderer):
+        self._renderer = renderer
+        self._top = None  # ours, while there is no other
+        self._camera = None  # whose delegate is our sequence
+        self._plain = None  # the delegate it had
+        self._sequence = None
+        self._made_from = None
+        self.remarks = []
+
+    def compose(self, effects):
+        """To be called before every picture: others may have changed the renderer's pass."""
+        self.remarks = []
+        top = self._renderer.GetPass()
+        if not effects.active:
+            self.restore()
+        elif top is None or top is self._top:
+            self._stand_alone(top, effects)
+        else:
+            self._top = None
+            self._enter(top, effects)
+
+    def _stand_alone(self, top, effects):
+        ours = effects.complete()
+        if top is not ours:
+            self.restore()
+            self._top = ours
+            self._renderer.SetPass(ours)
+
+    def restore(self):
+        """Leaves the renderer as it is without us."""
+        if self._top is not None and self._renderer.GetPass() is self._top:
+            self._renderer.SetPass(None)
+        if self._camera is not None and self._camera.GetDelegatePass() is self._sequence:
+            self._camera.SetDelegatePass(self._plain)
+        self._top = self._camera = self._plain = self._sequence = self._made_from = None
+
+    def _enter(self, top, effects):
+        camera = _camera_below(top)
+        if self._camera is not None and (camera is not self._camera or
+                                         camera.GetDelegatePass() is not self._sequence):
+            self.restore()
+        if self._camera is None and camera is not None:
+            self._plain = camera.GetDelegatePass()
+        made_from = [*_items(self._plain), effects.settings["enabled"], effects.settings["outlines"] is not None]
+        if self._sequence is None or made_from != self._made_from:
+            self._sequence, self._made_from = sequence_with(effects, self._plain), made_from
+            if self._sequence is None:
+                self.restore()
+            else:
+                self._camera = camera
+                camera.SetDelegatePass(self._sequence)
+        if self._sequence is None:
+            self.remarks.append(f"not drawn: it is not known what below {top.GetClassName()} draws what is opaque")
+        elif effects.settings["enabled"] and any(isinstance(item, _SHADOW_MAPS) for item in made_from):
+            self.remarks.append("shadow maps are left out while there are exact shadows")
