@@ -1,5 +1,6 @@
 """Where the passes stand among those that PyVista, or its user, has set."""
 
+import math
 from importlib import import_module
 
 from vtkshadow import vtkShadowVolumePass
@@ -22,7 +23,9 @@ def _steps_with(effects, steps):
     """Steps like those given, but for the opaque one."""
     ours = _gl.vtkRenderStepsPass()
     ours.SetOpaquePass(effects.opaque(steps.GetOpaquePass()))
-    for step in ("Camera", "Lights", "Translucent", "Volumetric", "Overlay", "PostProcess"):
+    if steps.GetCameraPass() is None:
+        ours.SetCameraPass(None)  # else its own: it knows the steps that it belongs to
+    for step in ("Lights", "Translucent", "Volumetric", "Overlay", "PostProcess"):
         getattr(ours, f"Set{step}Pass")(getattr(steps, f"Get{step}Pass")())
     return ours
 
@@ -64,13 +67,31 @@ def camera_with(effects, camera):
     return ours
 
 
-def _camera_below(top):
-    """The camera pass at the lower end of a chain of delegates, or None."""
-    seen = []
-    while top is not None and not isinstance(top, _gl.vtkCameraPass) and top not in seen:
-        seen.append(top)
+def _down_to_camera(top):
+    """A chain of delegates, down to the first camera pass."""
+    found = []
+    while top is not None and top not in found:
+        found.append(top)
+        if isinstance(top, _gl.vtkCameraPass):
+            break
         top = top.GetDelegatePass() if hasattr(top, "GetDelegatePass") else None
-    return top if isinstance(top, _gl.vtkCameraPass) else None
+    return found
+
+
+def _camera_below(top):
+    cameras = [each for each in _down_to_camera(top) if isinstance(each, _gl.vtkCameraPass)]
+    return cameras[0] if cameras else None
+
+
+def supersampling(top):
+    """How many pixels the lowest pass draws, each way, for one of the window."""
+    factor = 1.0
+    for each in _down_to_camera(top):
+        if isinstance(each, _gl.vtkSSAAPass):
+            factor *= math.sqrt(5)  # VTK's, which is fixed
+        elif hasattr(each, "GetSupersampleFactor"):
+            factor *= each.GetSupersampleFactor()
+    return factor
 
 
 class Chain:
@@ -100,6 +121,7 @@ class Chain:
         else:
             self._top = None
             self._enter(top, effects)
+        effects.scale_lines(supersampling(self._renderer.GetPass()))
 
     def _stand_alone(self, top, effects):
         ours = effects.complete()

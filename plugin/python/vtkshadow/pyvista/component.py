@@ -67,7 +67,7 @@ class RendererShadows:
         -------
         numpy.ndarray
             One number a pixel, rows from the top as in a screenshot: 255 where the light reaches the surface, and where
-            there is none, 0 in shadow.
+            there is none, 0 in shadow. Below SSAA these are the pixels that it makes the picture's of.
         """
         index = self._index_of(light)
         self._check_open()

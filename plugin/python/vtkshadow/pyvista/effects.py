@@ -31,11 +31,15 @@ class Effects:
         shadows.SetSamples(self.settings["samples"] or 0)
         shadows.SetSilhouetteMethod(METHODS.index(self.settings["method"]))
         if lines is not None:
-            self.outline_pass.SetLineWidth(lines["width"])
             self.outline_pass.SetColor(*Color(lines["color"]).float_rgb)
             self.outline_pass.SetCreaseEdges(lines["creases"] is not None)
             if lines["creases"] is not None:
                 self.outline_pass.SetFeatureAngle(lines["creases"])
+
+    def scale_lines(self, factor):
+        """Keeps lines as wide as they are set, where a pass above draws more pixels than the window has."""
+        if self.settings["outlines"] is not None:
+            self.outline_pass.SetLineWidth(self.settings["outlines"]["width"] * factor)
 
     def complete(self):
         """A pass that draws all of the renderer."""

@@ -1,6 +1,8 @@
 """Exact shadows and outlines for pyvista-render-passes, beside all of its passes but shadow maps."""
 
-from .chain import camera_with
+import weakref
+
+from .chain import camera_with, supersampling
 from .effects import Effects
 from .settings import DEFAULTS
 
@@ -18,10 +20,15 @@ class ExactShadowsProvider:
         self.effects = Effects() if effects is None else effects
         self.remarks = []
         self._invalidate = None
+        self._observed = None  # renderer and observer
 
     def bind(self, invalidate):
         """Takes over how to have the chain built anew."""
         self._invalidate = invalidate
+        if invalidate is None and self._observed is not None:
+            renderer, observer = self._observed
+            renderer.RemoveObserver(observer)
+            self._observed = None
 
     def build_pass(self, stage, renderer, chain, delegate):
         """The scene with our passes where the delegate draws what is opaque; None to leave it as it is."""
@@ -31,7 +38,20 @@ class ExactShadowsProvider:
         built = camera_with(self.effects, delegate)
         if built is None:
             self.remarks = ["not drawn: another provider has changed the base of the scene"]
+        elif self._observed is None:
+            self._observe(renderer)
         return built
+
+    def _observe(self, renderer):
+        # How much is supersampled may change without the chain being built anew.
+        itself = weakref.ref(self)
+
+        def scale_lines(drawn, _event):
+            provider = itself()
+            if provider is not None:
+                provider.effects.scale_lines(supersampling(drawn.GetPass()))
+
+        self._observed = renderer, renderer.AddObserver("StartEvent", scale_lines)
 
     def default_state(self):
         """Off."""
