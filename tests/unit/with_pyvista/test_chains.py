@@ -27,26 +27,29 @@ def maps_off(plotter):
 
 def combinations():
     """Those that PyVista allows: not SSAO with depth of field, and one kind of anti-aliasing."""
-    for count in (1, 2, 3):
-        for names in itertools.combinations(PASSES, count):
-            if not {"ssao", "dof"} <= set(names) and len({"ssaa", "fxaa", "msaa"} & set(names)) < 2:
-                yield names
+    yield "ssao", "ssaa", "blur"
+    yield "edl", "ssaa", "dof", "blur"
+    for names in (*((name,) for name in PASSES), *itertools.combinations(PASSES, 2)):
+        if names != ("ssao", "dof") and len({"ssaa", "fxaa", "msaa"} & set(names)) < 2:
+            yield names
 
 
 class TestChains(PyVistaTest):
-    def check_both(self, ours, touched, steps):
+    def check_both(self, ours, touched, steps, **arguments):
         plotter = make_plotter()
         for step in steps:
             step(plotter)
-        self.assert_both(ours, plotter, touched)
+        self.assert_both(ours, plotter, touched, **arguments)
         plotter.close()
 
     def test_every_combination_and_order(self):
         for names in combinations():
             theirs = [PASSES[name][0] for name in names]
+            reach = None if {"ssao", "edl"} <= set(names) else 12  # VTK's SSAO over EDL varies from picture to picture
             for at in range(len(theirs) + 1):
                 with self.subTest(names=names, at=at):
-                    self.check_both("the shadow", self.shadowed, [*theirs[:at], shadows, *theirs[at:]])
+                    self.check_both("the shadow", self.shadowed, [*theirs[:at], shadows, *theirs[at:]],
+                                    reach=reach)
 
     def test_lines_too(self):
         for name, (enable, _) in PASSES.items():
