@@ -6,7 +6,7 @@ Usage: test_chains.py [-v] [TestChains.test_NAME]
 import itertools
 import unittest
 
-from scenes import PASSES, PyVistaTest, drawn, lines, make_plotter, off, picture, shadows
+from scenes import PASSES, PyVistaTest, drawn, lines, make_plotter, off, picture, shadows, vtk
 
 
 def nothing_cast(plotter):
@@ -104,13 +104,11 @@ class TestChains(PyVistaTest):
                 plotter.close()
 
     def test_an_own_chain(self):
-        from vtkshadow.pyvista.chain import _gl as gl
-
         def chain(plotter):
-            passes = gl.vtkRenderPassCollection()
-            for each in (gl.vtkLightsPass(), gl.vtkOpaquePass(), gl.vtkTranslucentPass(), gl.vtkOverlayPass()):
+            steps, passes = vtk.vtkRenderStepsPass(), vtk.vtkRenderPassCollection()
+            for each in (steps.GetLightsPass(), steps.GetOpaquePass(), steps.GetTranslucentPass(), steps.GetOverlayPass()):
                 passes.AddItem(each)
-            sequence, camera, blur = gl.vtkSequencePass(), gl.vtkCameraPass(), gl.vtkGaussianBlurPass()
+            sequence, camera, blur = vtk.vtkSequencePass(), vtk.vtkCameraPass(), vtk.vtkGaussianBlurPass()
             sequence.SetPasses(passes)
             camera.SetDelegatePass(sequence)
             blur.SetDelegatePass(camera)
@@ -120,11 +118,9 @@ class TestChains(PyVistaTest):
         self.check_both("the shadow", self.shadowed, [shadows, chain])
 
     def test_an_unknown_chain_is_left_alone(self):
-        from vtkshadow.pyvista.chain import _gl as gl
-
         plotter = make_plotter()
-        camera = gl.vtkCameraPass()
-        camera.SetDelegatePass(gl.vtkOverlayPass())
+        camera = vtk.vtkCameraPass()
+        camera.SetDelegatePass(vtk.vtkRenderStepsPass().GetOverlayPass())
         plotter.renderer.SetPass(camera)
         without = picture(plotter)
         plotter.exact_shadows.enable()

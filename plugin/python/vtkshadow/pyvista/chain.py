@@ -1,19 +1,24 @@
 """Where the passes stand among those that PyVista, or its user, has set."""
 
 import math
-from importlib import import_module
+
+# VTK under the name that PyVista knows it by, which is not the same everywhere.
+from pyvista.plotting.render_passes import _vtk
 
 from vtkshadow import vtkShadowVolumePass
 
-# The VTK that the passes were built for, whatever its package is called.
-_gl = import_module(vtkShadowVolumePass.__mro__[1].__module__)
+if not issubclass(vtkShadowVolumePass, _vtk.vtkCameraPass.__mro__[-2]):
+    raise ImportError(f"vtkshadow was built for {vtkShadowVolumePass.__mro__[-2].__module__.split('.')[0]}, but PyVista "
+                      f"uses {_vtk.vtkCameraPass.__mro__[-2].__module__.split('.')[0]}: PYVISTA_VTK_BACKEND chooses")
 
-_SHADOW_MAPS = (_gl.vtkShadowMapPass, _gl.vtkShadowMapBakerPass)
+
+def _is_shadow_map(item):
+    return item.IsA("vtkShadowMapPass") or item.IsA("vtkShadowMapBakerPass")
 
 
 def _items(drawing):
     """What a camera pass has below it, one after the other."""
-    if not isinstance(drawing, _gl.vtkSequencePass):
+    if drawing is None or not drawing.IsA("vtkSequencePass"):
         return [] if drawing is None else [drawing]
     passes = drawing.GetPasses()
     return [] if passes is None else [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
@@ -21,7 +26,7 @@ def _items(drawing):
 
 def _steps_with(effects, steps):
     """Steps like those given, but for the opaque one."""
-    ours = _gl.vtkRenderStepsPass()
+    ours = _vtk.vtkRenderStepsPass()
     ours.SetOpaquePass(effects.opaque(steps.GetOpaquePass()))
     if steps.GetCameraPass() is None:
         ours.SetCameraPass(None)  # else its own: it knows the steps that it belongs to
@@ -38,30 +43,30 @@ def sequence_with(effects, drawing):
     """
     items = _items(drawing)
     if effects.settings["enabled"]:
-        items = [item for item in items if not isinstance(item, _SHADOW_MAPS)]
-    maps = [item for item in items if isinstance(item, _gl.vtkShadowMapPass)]
-    collection, found = _gl.vtkRenderPassCollection(), False
+        items = [item for item in items if not _is_shadow_map(item)]
+    maps = [item for item in items if item.IsA("vtkShadowMapPass")]
+    collection, found = _vtk.vtkRenderPassCollection(), False
     for item in items:
-        if item in maps or isinstance(item, _gl.vtkOpaquePass):
+        if item in maps or item.IsA("vtkOpaquePass"):
             item, found = effects.opaque(item), True
-        elif isinstance(item, _gl.vtkRenderStepsPass) and not maps:
+        elif item.IsA("vtkRenderStepsPass") and not maps:
             item, found = _steps_with(effects, item), True
         collection.AddItem(item)
     if not found:
         return None
-    sequence = _gl.vtkSequencePass()
+    sequence = _vtk.vtkSequencePass()
     sequence.SetPasses(collection)
     return sequence
 
 
 def camera_with(effects, camera):
     """A new camera pass like the one given, around sequence_with(); None where there can be none."""
-    if not isinstance(camera, _gl.vtkCameraPass):
+    if not camera.IsA("vtkCameraPass"):
         return None
     sequence = sequence_with(effects, camera.GetDelegatePass())
     if sequence is None:
         return None
-    ours = _gl.vtkCameraPass()
+    ours = _vtk.vtkCameraPass()
     ours.SetAspectRatioOverride(camera.GetAspectRatioOverride())
     ours.SetDelegatePass(sequence)
     return ours
@@ -72,14 +77,14 @@ def _down_to_camera(top):
     found = []
     while top is not None and top not in found:
         found.append(top)
-        if isinstance(top, _gl.vtkCameraPass):
+        if top.IsA("vtkCameraPass"):
             break
         top = top.GetDelegatePass() if hasattr(top, "GetDelegatePass") else None
     return found
 
 
 def _camera_below(top):
-    cameras = [each for each in _down_to_camera(top) if isinstance(each, _gl.vtkCameraPass)]
+    cameras = [each for each in _down_to_camera(top) if each.IsA("vtkCameraPass")]
     return cameras[0] if cameras else None
 
 
@@ -87,7 +92,7 @@ def supersampling(top):
     """How many pixels the lowest pass draws, each way, for one of the window."""
     factor = 1.0
     for each in _down_to_camera(top):
-        if isinstance(each, _gl.vtkSSAAPass):
+        if each.IsA("vtkSSAAPass"):
             factor *= math.sqrt(5)  # VTK's, which is fixed
         elif hasattr(each, "GetSupersampleFactor"):
             factor *= each.GetSupersampleFactor()
@@ -155,5 +160,5 @@ class Chain:
                 camera.SetDelegatePass(self._sequence)
         if self._sequence is None:
             self.remarks.append(f"not drawn: it is not known what below {top.GetClassName()} draws what is opaque")
-        elif effects.settings["enabled"] and any(isinstance(item, _SHADOW_MAPS) for item in made_from):
+        elif effects.settings["enabled"] and any(map(_is_shadow_map, _items(self._plain))):
             self.remarks.append("shadow maps are left out while there are exact shadows")

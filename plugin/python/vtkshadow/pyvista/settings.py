@@ -60,8 +60,8 @@ def _outlines(value):
         raise TypeError(f"outlines has to be None or have width, color and creases, not {value!r}") from None
     try:
         color = Color(lines["color"]).hex_rgb
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"color of outlines: {lines['color']!r} is none ({error})") from None
+    except (TypeError, ValueError):
+        raise ValueError(f"color has to be a colour as elsewhere in PyVista, not {lines['color']!r}") from None
     creases = lines["creases"]
     return {"width": _number("width of outlines", lines["width"], 0.5, 64), "color": color,
             "creases": None if creases is None else _number("creases", creases, 0, 180)}
