@@ -94,7 +94,7 @@ def supersampling(top):
     for each in _down_to_camera(top):
         if each.IsA("vtkSSAAPass"):
             factor *= math.sqrt(5)  # VTK's, which is fixed
-        elif hasattr(each, "GetSupersampleFactor"):
+        elif each.IsA("pvSSAAVolumePass"):
             factor *= each.GetSupersampleFactor()
     return factor
 

@@ -122,7 +122,7 @@ class RendererShadows:
             if shadows is not None:
                 shadows._compose()
 
-        self._observer = self._renderer.AddObserver("StartEvent", compose)
+        self._observer = self._renderer.AddObserver("StartEvent", compose, 1.0)  # before pyvista-render-passes
 
     def _compose(self):
         self._effects = self._shared.joined(self._effects, self._chain)

@@ -2,7 +2,7 @@
 
 import weakref
 
-from .chain import camera_with, supersampling
+from .chain import camera_with
 from .effects import Effects
 from .settings import DEFAULTS
 
@@ -20,6 +20,7 @@ class ExactShadowsProvider:
         self.effects = Effects() if effects is None else effects
         self.remarks = []
         self._invalidate = None
+        self._chain = None
         self._observed = None  # renderer and observer
 
     def bind(self, invalidate):
@@ -38,7 +39,8 @@ class ExactShadowsProvider:
         built = camera_with(self.effects, delegate)
         if built is None:
             self.remarks = ["not drawn: another provider has changed the base of the scene"]
-        elif self._observed is None:
+        self._chain = chain
+        if self._observed is None:
             self._observe(renderer)
         return built
 
@@ -46,10 +48,11 @@ class ExactShadowsProvider:
         # How much is supersampled may change without the chain being built anew.
         itself = weakref.ref(self)
 
-        def scale_lines(drawn, _event):
+        def scale_lines(*_):
             provider = itself()
             if provider is not None:
-                provider.effects.scale_lines(supersampling(drawn.GetPass()))
+                supersampling = provider._chain.GetSsaaPass()
+                provider.effects.scale_lines(supersampling.GetSupersampleFactor() if supersampling else 1)
 
         self._observed = renderer, renderer.AddObserver("StartEvent", scale_lines)
 
@@ -66,6 +69,14 @@ class ExactShadowsProvider:
         self.effects.update(state)
         if self._invalidate is not None:
             self._invalidate()
+
+    def adopt(self, effects, settings):
+        """Draws with passes and settings that somebody else has, if they go together with the component's."""
+        before, self.effects = self.effects, effects
+        if reason := self.veto(settings):
+            self.effects = before
+            raise ValueError(reason)
+        self._invalidate()
 
     def veto(self, settings):
         """Two kinds of shadows would darken each other."""

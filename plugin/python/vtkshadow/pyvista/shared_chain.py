@@ -43,11 +43,12 @@ class SharedChain:
 
         chain.restore()
         try:
-            if provider is not None:
-                host.remove_provider(provider)
-            host.add_provider(ExactShadowsProvider(effects))
+            if provider is None:
+                host.add_provider(ExactShadowsProvider(effects))
+            else:
+                provider.adopt(effects, host.get_state())
         except ValueError as refusal:
-            self.remarks = [str(refusal)]
+            self.remarks = [f"not drawn: {refusal}"]
         return effects
 
     def update(self, effects, changes):
