@@ -45,7 +45,8 @@ class TestChains(PyVistaTest):
     def test_every_combination_and_order(self):
         for names in combinations():
             theirs = [PASSES[name][0] for name in names]
-            reach = None if {"ssao", "edl"} <= set(names) else 12  # VTK's SSAO over EDL varies from picture to picture
+            # VTK's SSAO over EDL varies from picture to picture.
+            reach = None if {"ssao", "edl"} <= set(names) else 12
             for at in range(len(theirs) + 1):
                 with self.subTest(names=names, at=at):
                     self.check_both("the shadow", self.shadowed, [*theirs[:at], shadows, *theirs[at:]],
@@ -106,8 +107,8 @@ class TestChains(PyVistaTest):
     def test_an_own_chain(self):
         def chain(plotter):
             steps, passes = vtk.vtkRenderStepsPass(), vtk.vtkRenderPassCollection()
-            for each in (steps.GetLightsPass(), steps.GetOpaquePass(), steps.GetTranslucentPass(), steps.GetOverlayPass()):
-                passes.AddItem(each)
+            for step in ("Lights", "Opaque", "Translucent", "Overlay"):
+                passes.AddItem(getattr(steps, f"Get{step}Pass")())
             sequence, camera, blur = vtk.vtkSequencePass(), vtk.vtkCameraPass(), vtk.vtkGaussianBlurPass()
             sequence.SetPasses(passes)
             camera.SetDelegatePass(sequence)

@@ -7,9 +7,10 @@ from pyvista.plotting.render_passes import _vtk
 
 from vtkshadow import vtkShadowVolumePass
 
-if not issubclass(vtkShadowVolumePass, _vtk.vtkCameraPass.__mro__[-2]):
-    raise ImportError(f"vtkshadow was built for {vtkShadowVolumePass.__mro__[-2].__module__.split('.')[0]}, but PyVista "
-                      f"uses {_vtk.vtkCameraPass.__mro__[-2].__module__.split('.')[0]}: PYVISTA_VTK_BACKEND chooses")
+_ours, _theirs = vtkShadowVolumePass.__mro__[-2], _vtk.vtkCameraPass.__mro__[-2]  # vtkObjectBase
+if _ours is not _theirs:
+    raise ImportError(f"vtkshadow was built for {_ours.__module__}, but PyVista uses {_theirs.__module__}: "
+                      "PYVISTA_VTK_BACKEND chooses what it uses")
 
 
 def _is_shadow_map(item):
@@ -102,8 +103,8 @@ def supersampling(top):
 class Chain:
     """Puts the passes into the renderer's own, and takes them out again.
 
-    PyVista keeps one camera pass, below all others, and only ever asks for that. So nothing of PyVista's is changed but
-    what this camera pass draws, and nothing of ours is lost when it strings the others together anew.
+    PyVista keeps one camera pass, below all others, and only ever asks for that. So nothing of PyVista's is
+    changed but what this camera pass draws, and nothing of ours is lost when it strings the others together anew.
     """
 
     def __init__(self, renderer):

@@ -66,8 +66,8 @@ class RendererShadows:
         Returns
         -------
         numpy.ndarray
-            One number a pixel, rows from the top as in a screenshot: 255 where the light reaches the surface, and where
-            there is none, 0 in shadow. Below SSAA these are the pixels that it makes the picture's of.
+            One number a pixel, rows from the top as in a screenshot: 255 where the light reaches the surface, and
+            where there is none, 0 in shadow. Below SSAA these are the pixels that it makes the picture's of.
         """
         index = self._index_of(light)
         self._check_open()

@@ -1,7 +1,7 @@
 """Both on one renderer: plotter.exact_shadows, and plotter.render_passes of pyvista-render-passes.
 
-That one builds the renderer's whole chain anew whenever a setting of its own changes. So where it is in use its provider
-draws, with the passes and settings of the component.
+That one builds the renderer's whole chain anew whenever a setting of its own changes. So where it is in use its
+provider draws, with the passes and settings of the component.
 """
 
 
