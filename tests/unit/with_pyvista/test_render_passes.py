@@ -131,6 +131,17 @@ class TestRenderPasses(PyVistaTest):
         self.plotter.exact_shadows.outlines(2, "red")
         self.assertGreater(float(differing(picture(self.plotter), maps)[self.lined].mean()), 0.9)
 
+    def test_all_or_none(self):
+        plotter = make_plotter(shape=(1, 2))
+        host(plotter)
+        plotter.subplot(0, 1)
+        plotter.render_passes.enable_shadows()
+        states = [each.get_state() for each in plotter.render_passes.components]
+        with self.assertRaises(ValueError):
+            plotter.exact_shadows.all.enable()
+        self.assertEqual([each.get_state() for each in plotter.render_passes.components], states)
+        plotter.close()
+
     def test_state_is_saved_and_restored(self):
         provide(self.plotter, enabled=True, intensity=0.7, samples=4, method="hierarchical",
                 outlines={"width": 3, "color": "blue", "creases": 40})
@@ -205,7 +216,8 @@ class TestRenderPasses(PyVistaTest):
         orders = ([shadows, lambda p: PASSES["ssao"](p.render_passes)],
                   [lambda p: PASSES["ssao"](p.render_passes), shadows],
                   [shadows, picture, lambda p: PASSES["ssao"](p.render_passes), picture],
-                  [shadows, picture, host, lambda p: PASSES["ssao"](p.render_passes)])
+                  [shadows, picture, lambda p: PASSES["ssao"](host(p))],
+                  [shadows, picture, lambda p: PASSES["ssao"](host(p)), lambda p: p.render_passes.apply()])
         for index, steps in enumerate(orders):
             with self.subTest(index=index):
                 plotter = make_plotter()

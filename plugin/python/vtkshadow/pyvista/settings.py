@@ -1,6 +1,5 @@
 """What a user sets, as plain data, and what of it is allowed."""
 
-import math
 import numbers
 import operator
 
@@ -19,7 +18,7 @@ LINE_DEFAULTS = {"width": 2.0, "color": "black", "creases": None}
 def _number(name, value, low, high):
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name} has to be a number from {low} to {high}, not {value!r}")
-    if not math.isfinite(value) or not low <= value <= high:
+    if not low <= value <= high:  # nor NaN
         raise ValueError(f"{name} has to be from {low} to {high}, not {value!r}")
     return float(value)
 
