@@ -118,6 +118,22 @@ class TestChains(PyVistaTest):
         self.check_both("the shadow", self.shadowed, [chain, shadows])
         self.check_both("the shadow", self.shadowed, [shadows, chain])
 
+    def test_a_chain_that_becomes_unknown_is_given_back(self):
+        plotter = make_plotter()
+        steps, passes = vtk.vtkRenderStepsPass(), vtk.vtkRenderPassCollection()
+        passes.AddItem(steps)
+        sequence, camera = vtk.vtkSequencePass(), vtk.vtkCameraPass()
+        sequence.SetPasses(passes)
+        camera.SetDelegatePass(sequence)
+        plotter.renderer.SetPass(camera)
+        shadows(plotter)
+        self.assertIsNot(camera.GetDelegatePass(), sequence)
+        passes.RemoveItem(steps)
+        picture(plotter)
+        self.assertIs(camera.GetDelegatePass(), sequence)
+        self.assertIn("not drawn", plotter.exact_shadows.status)
+        plotter.close()
+
     def test_an_unknown_chain_is_left_alone(self):
         plotter = make_plotter()
         camera = vtk.vtkCameraPass()

@@ -153,12 +153,12 @@ class Chain:
             self._plain = camera.GetDelegatePass()
         made_from = [*_items(self._plain), effects.settings["enabled"], effects.settings["outlines"] is not None]
         if self._sequence is None or made_from != self._made_from:
-            self._sequence, self._made_from = sequence_with(effects, self._plain), made_from
-            if self._sequence is None:
+            sequence = sequence_with(effects, self._plain)
+            if sequence is None:
                 self.restore()
             else:
-                self._camera = camera
-                camera.SetDelegatePass(self._sequence)
+                self._camera, self._sequence, self._made_from = camera, sequence, made_from
+                camera.SetDelegatePass(sequence)
         if self._sequence is None:
             self.remarks.append(f"not drawn: it is not known what below {top.GetClassName()} draws what is opaque")
         elif effects.settings["enabled"] and any(map(_is_shadow_map, _items(self._plain))):
