@@ -31,4 +31,13 @@ if(SHADOW_TEST_PYTHON AND VTKSHADOW_PYTHON_WRAPPED)
   set_tests_properties(DropInPyVista PROPERTIES LABELS unit TIMEOUT 300 RESOURCE_LOCK x_server
     ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python:$ENV{PYTHONPATH}"
     SKIP_REGULAR_EXPRESSION "there is no PyVista")
+
+  # plotter.exact_shadows, and where pyvista-render-passes is (Python 3.12 and PyVista 0.49) the provider for it.
+  foreach(part component chains render_passes)
+    add_test(NAME PyVista.${part} COMMAND ${on_server} ${SHADOW_TEST_PYTHON} -B
+      ${CMAKE_CURRENT_SOURCE_DIR}/with_pyvista/test_${part}.py)
+    set_tests_properties(PyVista.${part} PROPERTIES LABELS unit TIMEOUT 900 RESOURCE_LOCK x_server
+      ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python:$ENV{PYTHONPATH}"
+      SKIP_REGULAR_EXPRESSION "there is no PyVista;there is no pyvista-render-passes")
+  endforeach()
 endif()
