@@ -8,12 +8,17 @@
 #include "../vtkShadowCompat.h"
 #include "GLFunctions.h"
 #include "HeadlessContext.h"
+#if !VTKSHADOW_VTK_DRAWS_HEADLESS
+#include "HeadlessFactory.h"
+#endif
 
 class vtkHeadlessRenderWindow::vtkInternals
 {
 public:
   std::string Error; ///< why there is no context; before it, which fills it in
-  std::unique_ptr<shadow::HeadlessContext> Context = shadow::makeHeadlessContext(this->Error);
+  // Two windows of one program draw by one GL, VTK's own among them.
+  std::unique_ptr<shadow::HeadlessContext> Context =
+      shadow::makeHeadlessContext(VTKSHADOW_VTK_DRAWS_HEADLESS ? "egl" : "osmesa", this->Error);
   std::vector<std::function<void()>> Pushed; ///< each makes current what was so before a push
   bool Reported = false;
 };
@@ -70,9 +75,23 @@ void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::OverrideRenderWindow()
+{
+#if !VTKSHADOW_VTK_DRAWS_HEADLESS
+  shadow::registerHeadlessFactory();
+#endif
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeadlessRenderWindow::IsUsable() const
 {
   return this->Internals != nullptr && this->Internals->Context != nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeadlessRenderWindow::GetStatusMessage() const
+{
+  return this->IsUsable() ? "" : this->Internals->Error;
 }
 
 //------------------------------------------------------------------------------
@@ -87,6 +106,19 @@ void vtkHeadlessRenderWindow::Render()
   // The superclass loads the GL functions before it makes the context current.
   this->MakeCurrent();
   this->Superclass::Render();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeadlessRenderWindow::ReportCapabilities()
+{
+  this->MakeCurrent();
+  if (!this->IsCurrent())
+  {
+    return "no OpenGL\n";
+  }
+  // The superclass asks functions that are loaded with the first picture only.
+  this->OpenGLInit();
+  return this->Superclass::ReportCapabilities();
 }
 
 //------------------------------------------------------------------------------

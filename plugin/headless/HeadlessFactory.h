@@ -1,0 +1,14 @@
+#ifndef HeadlessFactory_h
+#define HeadlessFactory_h
+
+namespace shadow
+{
+
+/// From now on vtkRenderWindow::New() gives a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an interactor
+/// that asks no window system. Comes before every other factory, whether registered earlier or later. Further calls do
+/// nothing.
+void registerHeadlessFactory();
+
+} // namespace shadow
+
+#endif
