@@ -101,6 +101,42 @@ std::string vtkHeadlessRenderWindow::GetBackend() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::Initialize()
+{
+  // What is asked of the window before its first picture needs the GL functions as well.
+  this->MakeCurrent();
+  if (!this->Initialized && this->IsCurrent())
+  {
+    this->OpenGLInit();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::Start()
+{
+  this->Initialize();
+  if (this->IsUsable())
+  {
+    this->Superclass::Start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::Frame()
+{
+  if (this->IsUsable())
+  {
+    this->Superclass::Frame();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHeadlessRenderWindow::GetZbufferData(int x1, int y1, int x2, int y2, float* z)
+{
+  return this->IsUsable() ? this->Superclass::GetZbufferData(x1, y1, x2, y2, z) : VTK_ERROR;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeadlessRenderWindow::Render()
 {
   // The superclass loads the GL functions before it makes the context current.
@@ -111,14 +147,8 @@ void vtkHeadlessRenderWindow::Render()
 //------------------------------------------------------------------------------
 const char* vtkHeadlessRenderWindow::ReportCapabilities()
 {
-  this->MakeCurrent();
-  if (!this->IsCurrent())
-  {
-    return "no OpenGL\n";
-  }
-  // The superclass asks functions that are loaded with the first picture only.
-  this->OpenGLInit();
-  return this->Superclass::ReportCapabilities();
+  this->Initialize();
+  return this->IsCurrent() ? this->Superclass::ReportCapabilities() : "no OpenGL\n";
 }
 
 //------------------------------------------------------------------------------

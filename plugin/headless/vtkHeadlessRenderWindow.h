@@ -37,8 +37,8 @@ public:
   static void OverrideRenderWindow();
 
   /**
-   * True when the context is there and can be drawn into. Otherwise rendering does nothing, and the first one
-   * says why by vtkErrorMacro.
+   * True when the context is there and can be drawn into. Otherwise rendering and reading pixels do nothing, and
+   * the first of them says why by vtkErrorMacro.
    */
   bool IsUsable() const;
 
@@ -55,7 +55,12 @@ public:
   /**
    * Called by VTK.
    */
+  void Initialize() override;
+  void Start() override;
   void Render() override;
+  void Frame() override;
+  using vtkGenericOpenGLRenderWindow::GetZbufferData;
+  int GetZbufferData(int x1, int y1, int x2, int y2, float* z) override;
   const char* ReportCapabilities() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
