@@ -1,10 +1,13 @@
 #include "HeadlessFactory.h"
 
+#include <cstdlib>
+
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkVersion.h>
 
+#include "../vtkShadowCompat.h"
 #include "vtkHeadlessRenderWindow.h"
 
 namespace shadow
@@ -13,8 +16,8 @@ namespace shadow
 namespace
 {
 
-/// Has no events but those that are invoked on it: Start() returns at once. VTK's interactors of X end the program when
-/// there is no server.
+/// Has no events but those that are invoked on it: Start() returns at once. Without a server VTK's interactors of X end
+/// the program, before 9.4 when they are initialised, later when they are told to end.
 class HeadlessInteractor : public vtkRenderWindowInteractor
 {
 public:
@@ -23,6 +26,19 @@ public:
 };
 
 vtkStandardNewMacro(HeadlessInteractor);
+
+bool hasDisplay()
+{
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
+  {
+    const char* value = std::getenv(name);
+    if (value != nullptr && *value != '\0')
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 VTK_CREATE_CREATE_FUNCTION(vtkHeadlessRenderWindow)
 VTK_CREATE_CREATE_FUNCTION(HeadlessInteractor)
@@ -39,8 +55,14 @@ public:
 protected:
   HeadlessFactory()
   {
-    this->override("vtkRenderWindow", "vtkHeadlessRenderWindow", vtkObjectFactoryCreatevtkHeadlessRenderWindow);
-    this->override("vtkRenderWindowInteractor", "HeadlessInteractor", vtkObjectFactoryCreateHeadlessInteractor);
+    if (!VTKSHADOW_VTK_DRAWS_HEADLESS)
+    {
+      this->override("vtkRenderWindow", "vtkHeadlessRenderWindow", vtkObjectFactoryCreatevtkHeadlessRenderWindow);
+    }
+    if (!VTKSHADOW_VTK_DRAWS_HEADLESS || !hasDisplay())
+    {
+      this->override("vtkRenderWindowInteractor", "HeadlessInteractor", vtkObjectFactoryCreateHeadlessInteractor);
+    }
   }
 
 private:

@@ -8,9 +8,7 @@
 #include "../vtkShadowCompat.h"
 #include "GLFunctions.h"
 #include "HeadlessContext.h"
-#if !VTKSHADOW_VTK_DRAWS_HEADLESS
 #include "HeadlessFactory.h"
-#endif
 
 class vtkHeadlessRenderWindow::vtkInternals
 {
@@ -77,9 +75,7 @@ void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkHeadlessRenderWindow::OverrideRenderWindow()
 {
-#if !VTKSHADOW_VTK_DRAWS_HEADLESS
   shadow::registerHeadlessFactory();
-#endif
 }
 
 //------------------------------------------------------------------------------

@@ -31,8 +31,8 @@ public:
 
   /**
    * From now on vtkRenderWindow::New() gives a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an
-   * interactor whose Start() returns at once. For code that makes its windows itself. From VTK 9.4 on this does
-   * nothing: VTK's own windows need no display there.
+   * interactor whose Start() returns at once. For code that makes its windows itself. From VTK 9.4 on, whose own
+   * windows need no display, it is the interactor only, and only where the environment names no display.
    */
   static void OverrideRenderWindow();
 

@@ -10,7 +10,8 @@ The environment variable VTKSHADOW_HEADLESS chooses what draws: `osmesa`, a rend
 there is one. Not set: the first of these that draws.
 
 VTK's own windows need no display from VTK 9.4 on, and show themselves where there is one. There this leaves them as they
-are, may be imported at any time, and ours draws by EGL, as they do, where VTKSHADOW_HEADLESS is not set and EGL draws.
+are, and only without a display gives them such an interactor; it may be imported at any time; and ours draws by EGL, as
+they do, where VTKSHADOW_HEADLESS is not set and EGL draws.
 """
 
 import ctypes
