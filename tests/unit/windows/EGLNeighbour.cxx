@@ -58,11 +58,9 @@ public:
 
   ~Program() override
   {
-    const Functions& functions = Functions::get();
-    if (functions.getCurrentContext() == this->context)
-    {
-      functions.makeCurrent(this->display, nullptr, nullptr, nullptr);
-    }
+    // Whoever was current is so no more, as when a window gives back what it holds.
+    this->draws();
+    Functions::get().makeCurrent(this->display, nullptr, nullptr, nullptr);
     using Terminate = unsigned int (*)(egl::Display);
     reinterpret_cast<Terminate>(dlsym(dlopen("libEGL.so.1", RTLD_NOW), "eglTerminate"))(this->display);
   }
