@@ -17,15 +17,29 @@ foreach(library libOSMesa.so.8 libOSMesa.so.6 libOSMesa.so libEGL.so.1 libEGL.so
   file(WRITE ${without_gl}/${library} "")
 endforeach()
 
-foreach(suite_and_settings
-    "HeadlessOSMesa/VTKSHADOW_HEADLESS="
-    "HeadlessEGL/VTKSHADOW_HEADLESS=egl"
-    "HeadlessUnknown/VTKSHADOW_HEADLESS=display"
-    "HeadlessNeighbours/VTKSHADOW_HEADLESS=egl"
-    "HeadlessOverride/VTKSHADOW_HEADLESS="
-    "HeadlessNowhere/LD_LIBRARY_PATH=${without_gl}")
-  string(REGEX MATCH "^[^/]*" suite ${suite_and_settings})
-  string(REGEX REPLACE "^[^/]*/" "" setting ${suite_and_settings})
+function(discover_headless suite setting)
   gtest_discover_tests(test_headless TEST_FILTER ${suite}.* DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS unit ENVIRONMENT ${setting})
-endforeach()
+endfunction()
+discover_headless(HeadlessUnset VTKSHADOW_HEADLESS=)
+discover_headless(HeadlessEGL VTKSHADOW_HEADLESS=egl)
+discover_headless(HeadlessUnknown VTKSHADOW_HEADLESS=display)
+discover_headless(HeadlessNeighbours VTKSHADOW_HEADLESS=egl)
+discover_headless(HeadlessOverride VTKSHADOW_HEADLESS=)
+discover_headless(HeadlessNowhere LD_LIBRARY_PATH=${without_gl})
+
+# What a user's script does, in the build tree, without a display.
+function(add_headless_script name python script)
+  add_test(NAME ${name} COMMAND ${python} -B ${CMAKE_CURRENT_SOURCE_DIR}/windows/${script} ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS unit TIMEOUT 120
+    ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python:$ENV{PYTHONPATH};DISPLAY=;WAYLAND_DISPLAY="
+    SKIP_REGULAR_EXPRESSION "^there is no")
+endfunction()
+if(VTKSHADOW_PYTHON_WRAPPED)
+  foreach(backend osmesa egl unset)
+    add_headless_script(HeadlessScript.Plain_${backend} ${VTKSHADOW_PYTHON} headless_plain.py ${backend})
+    if(SHADOW_TEST_PYTHON)
+      add_headless_script(HeadlessScript.PyVista_${backend} ${SHADOW_TEST_PYTHON} headless_pyvista.py ${backend})
+    endif()
+  endforeach()
+endif()
