@@ -29,4 +29,7 @@
 // 9.4 loads GL functions through glad, and lets a window say how.
 #define VTKSHADOW_WINDOW_LOADS_SYMBOLS VTKSHADOW_VTK_AT_LEAST(9, 4)
 
+// 9.4 chooses its windows when the program runs, and without a display one that needs none: through EGL, else by OSMesa.
+#define VTKSHADOW_VTK_DRAWS_HEADLESS VTKSHADOW_VTK_AT_LEAST(9, 4)
+
 #endif

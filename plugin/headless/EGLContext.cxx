@@ -28,34 +28,50 @@ bool isSoftware(egl::Device device)
                       "EGL_MESA_device_software");
 }
 
-/// Displays that need no window system: GPUs, then software, then what Mesa finds without a device.
+/// A display that belongs to us as far as EGL has such: who else opens that platform and device gets one display for the
+/// whole process, and ends it for everybody, as VTK's own window does when it is deleted.
+egl::Display openDisplay(unsigned int platform, egl::Device device)
+{
+  const Functions& functions = Functions::get();
+  if (functions.hasClientExtension("EGL_KHR_display_reference"))
+  {
+    // Ends with the last one who opened it.
+    const egl::Attribute counted[] = {egl::TrackReferences, 1, egl::None};
+    egl::Display display = functions.getPlatformDisplay(platform, device, counted);
+    if (display != nullptr)
+    {
+      return display;
+    }
+  }
+  // Mesa has one display for each list of attributes, and takes one without any for another than no list.
+  const egl::Attribute none[] = {egl::None};
+  return functions.getPlatformDisplay(platform, device, none);
+}
+
+/// Displays that need no window system: GPUs, what Mesa finds without a device, and software.
 std::vector<Candidate> listCandidates()
 {
   const Functions& functions = Functions::get();
-  std::vector<Candidate> candidates;
+  std::vector<Candidate> gpus;
+  std::vector<Candidate> software;
   if (functions.hasClientExtension("EGL_EXT_platform_device") && functions.queryDevices != nullptr)
   {
     int count = 0;
     functions.queryDevices(0, nullptr, &count);
     std::vector<egl::Device> devices(static_cast<std::size_t>(std::max(count, 0)));
     functions.queryDevices(count, devices.data(), &count);
-    for (const bool software : {false, true})
+    for (std::size_t i = 0; i < devices.size(); ++i)
     {
-      for (std::size_t i = 0; i < devices.size(); ++i)
-      {
-        if (isSoftware(devices[i]) == software)
-        {
-          candidates.push_back({functions.getPlatformDisplay(egl::PlatformDevice, devices[i], nullptr),
-                                "device " + std::to_string(i)});
-        }
-      }
+      (isSoftware(devices[i]) ? software : gpus)
+          .push_back({openDisplay(egl::PlatformDevice, devices[i]), "device " + std::to_string(i)});
     }
   }
+  std::vector<Candidate> candidates = std::move(gpus);
   if (functions.hasClientExtension("EGL_MESA_platform_surfaceless"))
   {
-    candidates.push_back(
-        {functions.getPlatformDisplay(egl::PlatformSurfaceless, nullptr, nullptr), "without a surface"});
+    candidates.push_back({openDisplay(egl::PlatformSurfaceless, nullptr), "without a surface"});
   }
+  candidates.insert(candidates.end(), software.begin(), software.end());
   return candidates;
 }
 

@@ -43,8 +43,9 @@ enum : int
   ContextMinorVersion = 0x30FB,
   ContextProfileMask = 0x30FD,
   ContextCoreProfileBit = 0x0001,
-  PlatformDevice = 0x313F,     ///< EGL_EXT_platform_device
-  PlatformSurfaceless = 0x31DD ///< EGL_MESA_platform_surfaceless
+  PlatformDevice = 0x313F,      ///< EGL_EXT_platform_device
+  PlatformSurfaceless = 0x31DD, ///< EGL_MESA_platform_surfaceless
+  TrackReferences = 0x3352      ///< EGL_KHR_display_reference
 };
 
 /// The functions of libEGL, which is loaded with the first use.

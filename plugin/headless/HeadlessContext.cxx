@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <stdexcept>
+#include <vector>
 
 #include "EGLContext.h"
 #include "GLFunctions.h"
@@ -35,7 +36,7 @@ std::string& chosenBackend()
 
 } // namespace
 
-std::unique_ptr<HeadlessContext> makeHeadlessContext(std::string& error)
+std::unique_ptr<HeadlessContext> makeHeadlessContext(const std::string& preferred, std::string& error)
 {
   std::string& chosen = chosenBackend();
   if (!chosen.empty() && chosen != "osmesa" && chosen != "egl")
@@ -43,12 +44,13 @@ std::unique_ptr<HeadlessContext> makeHeadlessContext(std::string& error)
     error = "VTKSHADOW_HEADLESS is " + chosen + ", and not osmesa or egl";
     return nullptr;
   }
-  for (const std::string backend : {"osmesa", "egl"})
+  std::vector<std::string> backends{chosen};
+  if (chosen.empty())
   {
-    if (!chosen.empty() && chosen != backend)
-    {
-      continue;
-    }
+    backends = {preferred, preferred == "egl" ? "osmesa" : "egl"};
+  }
+  for (const std::string& backend : backends)
+  {
     try
     {
       auto context = backend == "egl" ? make<EGLContext>() : make<OSMesaContext>();

@@ -34,11 +34,11 @@ public:
 };
 
 /// A context of the GL that the environment variable VTKSHADOW_HEADLESS names: osmesa, in software, or egl, a
-/// GPU where there is one; when it is not set, the first of these that there is. The first call that succeeds
+/// GPU where there is one; when it is not set, of @p preferred, else of the other. The first call that succeeds
 /// decides for the whole process, because GL functions are looked up only once.
 ///
 /// @return null, with a line in @p error, when there is no such GL or it has no OpenGL 3.2 core profile
-std::unique_ptr<HeadlessContext> makeHeadlessContext(std::string& error);
+std::unique_ptr<HeadlessContext> makeHeadlessContext(const std::string& preferred, std::string& error);
 
 } // namespace shadow
 

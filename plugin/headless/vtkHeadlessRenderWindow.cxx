@@ -8,12 +8,15 @@
 #include "../vtkShadowCompat.h"
 #include "GLFunctions.h"
 #include "HeadlessContext.h"
+#include "HeadlessFactory.h"
 
 class vtkHeadlessRenderWindow::vtkInternals
 {
 public:
   std::string Error; ///< why there is no context; before it, which fills it in
-  std::unique_ptr<shadow::HeadlessContext> Context = shadow::makeHeadlessContext(this->Error);
+  // Two windows of one program draw by one GL, VTK's own among them.
+  std::unique_ptr<shadow::HeadlessContext> Context =
+      shadow::makeHeadlessContext(VTKSHADOW_VTK_DRAWS_HEADLESS ? "egl" : "osmesa", this->Error);
   std::vector<std::function<void()>> Pushed; ///< each makes current what was so before a push
   bool Reported = false;
 };
@@ -70,9 +73,21 @@ void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::OverrideRenderWindow()
+{
+  shadow::registerHeadlessFactory();
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeadlessRenderWindow::IsUsable() const
 {
   return this->Internals != nullptr && this->Internals->Context != nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeadlessRenderWindow::GetStatusMessage() const
+{
+  return this->IsUsable() ? "" : this->Internals->Error;
 }
 
 //------------------------------------------------------------------------------
@@ -82,11 +97,54 @@ std::string vtkHeadlessRenderWindow::GetBackend() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::Initialize()
+{
+  // What is asked of the window before its first picture needs the GL functions as well.
+  this->MakeCurrent();
+  if (!this->Initialized && this->IsCurrent())
+  {
+    this->OpenGLInit();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::Start()
+{
+  this->Initialize();
+  if (this->IsUsable())
+  {
+    this->Superclass::Start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeadlessRenderWindow::Frame()
+{
+  if (this->IsUsable())
+  {
+    this->Superclass::Frame();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHeadlessRenderWindow::GetZbufferData(int x1, int y1, int x2, int y2, float* z)
+{
+  return this->IsUsable() ? this->Superclass::GetZbufferData(x1, y1, x2, y2, z) : VTK_ERROR;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeadlessRenderWindow::Render()
 {
   // The superclass loads the GL functions before it makes the context current.
   this->MakeCurrent();
   this->Superclass::Render();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeadlessRenderWindow::ReportCapabilities()
+{
+  this->Initialize();
+  return this->IsCurrent() ? this->Superclass::ReportCapabilities() : "no OpenGL\n";
 }
 
 //------------------------------------------------------------------------------

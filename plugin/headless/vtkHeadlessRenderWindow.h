@@ -2,11 +2,11 @@
  * @class   vtkHeadlessRenderWindow
  * @brief   a render window without a display, drawn by OSMesa or through EGL
  *
- * The environment variable VTKSHADOW_HEADLESS chooses for the whole process: `osmesa` (default) draws in
- * software, `egl` on the first GPU that EGL finds, or in software where there is none. Either library is
- * loaded when the first window is made. Programs that use it must let the symbols of libvtkShadowGLX come
- * before those of the system's GL: link the CMake target `vtkShadow::HeadlessFirst`, or in Python `import
- * vtkshadow.headless` before anything of VTK.
+ * The environment variable VTKSHADOW_HEADLESS chooses for the whole process: `osmesa` draws in software, `egl`
+ * on the first GPU that EGL finds, or in software where there is none. Not set: the first of these that draws,
+ * from VTK 9.4 on EGL before OSMesa, as VTK's own windows. Either library is loaded when the first window is
+ * made. Programs that use it must let the symbols of libvtkShadowGLX come before those of the system's GL: link
+ * the CMake target `vtkShadow::HeadlessFirst`, or in Python `import vtkshadow.headless` before anything of VTK.
  *
  * @par Use
  * `vtkNew<vtkHeadlessRenderWindow> window; window->SetSize(1280, 720); window->AddRenderer(renderer);
@@ -30,10 +30,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * True when the context is there and can be drawn into. Otherwise rendering does nothing, and the first one
-   * says why by vtkErrorMacro.
+   * From now on vtkRenderWindow::New() gives a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an
+   * interactor whose Start() returns at once. For code that makes its windows itself. From VTK 9.4 on, whose own
+   * windows need no display, it is the interactor only, and only where the environment names no display.
+   */
+  static void OverrideRenderWindow();
+
+  /**
+   * True when the context is there and can be drawn into. Otherwise rendering and reading pixels do nothing, and
+   * the first of them says why by vtkErrorMacro.
    */
   bool IsUsable() const;
+
+  /**
+   * Why the window is not usable. Empty when it is.
+   */
+  std::string GetStatusMessage() const;
 
   /**
    * What draws: "OSMesa", or EGL with its version, vendor and device. Empty when the window is not usable.
@@ -43,7 +55,13 @@ public:
   /**
    * Called by VTK.
    */
+  void Initialize() override;
+  void Start() override;
   void Render() override;
+  void Frame() override;
+  using vtkGenericOpenGLRenderWindow::GetZbufferData;
+  int GetZbufferData(int x1, int y1, int x2, int y2, float* z) override;
+  const char* ReportCapabilities() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
 

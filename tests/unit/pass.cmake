@@ -84,16 +84,7 @@ if(VTKSHADOW_HEADLESS)
   add_test(NAME SilhouetteCamera.OnGL32 COMMAND test_gpu)
   set_tests_properties(SilhouetteCamera.OnGL32 PROPERTIES LABELS unit ENVIRONMENT
     "MESA_GL_VERSION_OVERRIDE=3.2;MESA_GLSL_VERSION_OVERRIDE=150;MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader5")
-  add_executable(test_headless pass/test_headless.cxx)
-  target_link_libraries(test_headless PRIVATE
-    shadow_ball_scene GTest::gtest_main shadow_warnings ${CMAKE_DL_LIBS})
-  vtk_module_autoinit(TARGETS test_headless MODULES VTK::RenderingOpenGL2)
-  foreach(suite_and_choice HeadlessOSMesa= HeadlessEGL=egl HeadlessUnknown=display)
-    string(REGEX MATCH "^[^=]*" suite ${suite_and_choice})
-    string(REGEX REPLACE "^[^=]*=" "" choice ${suite_and_choice})
-    gtest_discover_tests(test_headless TEST_FILTER ${suite}.* DISCOVERY_TIMEOUT 60
-      PROPERTIES LABELS unit ENVIRONMENT VTKSHADOW_HEADLESS=${choice})
-  endforeach()
+  include(windows/headless.cmake)
   # Windows that share: headless ones by either GL, and those of a display.
   set(shared_windows windows/SharedWindows.cxx windows/SharedWindowsOperations.cxx windows/test_shared_windows.cxx)
   add_executable(test_shared_windows windows/HeadlessWindow.cxx ${shared_windows})

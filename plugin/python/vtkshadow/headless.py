@@ -2,9 +2,16 @@
 
     import vtkshadow.headless
 
-It stands in front of the system's GL for the whole process; the window to use is then vtkshadow.vtkHeadlessRenderWindow.
+From then on vtkRenderWindow() needs no display, whether it is made by hand or by PyVista, nor does
+vtkRenderWindowInteractor(), whose Start() returns at once. It means headless: with a display as well no window is shown.
+vtkshadow.vtkHeadlessRenderWindow is the same window by its name. ImportError, which says why, where nothing can draw.
+
 The environment variable VTKSHADOW_HEADLESS chooses what draws: `osmesa`, a renderer in software, or `egl`, a GPU where
-there is one. Not set: the first of these that is there.
+there is one. Not set: the first of these that draws.
+
+VTK's own windows need no display from VTK 9.4 on, and show themselves where there is one. There this leaves them as they
+are, and only without a display gives them such an interactor; it may be imported at any time; and ours draws by EGL, as
+they do, where VTKSHADOW_HEADLESS is not set and EGL draws.
 """
 
 import ctypes
@@ -12,58 +19,41 @@ import os
 import sys
 
 from ._build import HAS_WINDOW, VTK_PACKAGE
-from ._location import LIBRARIES
-
-# What the window will load, and Debian's package of it.
-_BACKENDS = {
-    "osmesa": (["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"], "OSMesa", "libosmesa6"),
-    "egl": (["libEGL.so.1", "libEGL.so"], "EGL", "libegl1"),
-}
-
-
-def _load(names, missing, mode):
-    """Loads the first library that there is."""
-    reasons = []
-    for name in names:
-        try:
-            return ctypes.CDLL(name, mode=mode)
-        except OSError as error:
-            reasons.append(str(error))
-    raise ImportError(missing + ": " + "; ".join(reasons))
-
-
-def _load_backend(choices):
-    """Loads the first that there is. The window will look for them in the same order."""
-    reasons = []
-    for choice in choices:
-        names, title, package = _BACKENDS[choice]
-        missing = f"vtkshadow.headless needs {title}, which was not found (Debian: {package})"
-        try:
-            return _load(names, missing, ctypes.RTLD_LOCAL)
-        except ImportError as error:
-            reasons.append(str(error))
-    raise ImportError("; or ".join(reasons))
+from ._location import GL_BY_SYMBOL, LIBRARIES
 
 
 def _stand_in_front_of_gl():
+    """Loads our GL globally, so that its symbols come before those of libraries loaded later."""
     if VTK_PACKAGE in sys.modules:
         raise ImportError(
             f"vtkshadow.headless has to be imported before {VTK_PACKAGE} (or vtk, or pyvista): "
             "VTK has already loaded the GL of the system"
         )
-    choice = os.environ.get("VTKSHADOW_HEADLESS", "")
-    if choice and choice not in _BACKENDS:
-        raise ImportError(f"VTKSHADOW_HEADLESS is {choice}, and not osmesa or egl")
-    backend = _load_backend([choice] if choice else list(_BACKENDS))
     folder = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), LIBRARIES))
-    # Globally, so that its symbols come before those of libraries loaded later.
-    shim = _load(
-        [os.path.join(folder, "libvtkShadowGLX.so"), "libvtkShadowGLX.so"],
-        "vtkshadow.headless did not find libvtkShadowGLX.so, a part of vtkShadow",
-        ctypes.RTLD_GLOBAL,
+    reasons = []
+    for name in os.path.join(folder, "libvtkShadowGLX.so"), "libvtkShadowGLX.so":
+        try:
+            return ctypes.CDLL(name, mode=ctypes.RTLD_GLOBAL)
+        except OSError as error:
+            reasons.append(str(error))
+    raise ImportError(
+        "vtkshadow.headless did not find libvtkShadowGLX.so, a part of vtkShadow: " + "; ".join(reasons)
     )
-    return backend, shim
+
+
+def _draw_without_display():
+    from . import vtkHeadlessRenderWindow  # and with it VTK
+
+    window = vtkHeadlessRenderWindow()
+    if not window.IsUsable():
+        raise ImportError("vtkshadow.headless cannot draw: " + window.GetStatusMessage())
+    vtkHeadlessRenderWindow.OverrideRenderWindow()
+    # PyVista looks for an X server, and warns with each plotter that it will likely crash, where this does not say yes.
+    os.environ.setdefault("ALLOW_PLOTTING", "true")
 
 
 # Without a window of ours VTK's own draws without a display.
-_libraries = _stand_in_front_of_gl() if HAS_WINDOW else ()
+if HAS_WINDOW:
+    if GL_BY_SYMBOL:
+        _stand_in_front_of_gl()
+    _draw_without_display()

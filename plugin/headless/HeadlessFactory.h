@@ -1,0 +1,16 @@
+#ifndef HeadlessFactory_h
+#define HeadlessFactory_h
+
+namespace shadow
+{
+
+/// From now on vtkRenderWindow::New() gives a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an interactor
+/// that asks no window system. Comes before every other factory, whether registered earlier or later. Further calls do
+/// nothing.
+///
+/// From VTK 9.4 on it is the interactor only, and only where there is no display: the rest VTK has itself.
+void registerHeadlessFactory();
+
+} // namespace shadow
+
+#endif
