@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace shadow
 {
@@ -61,6 +62,8 @@ public:
   }
 
   /// The largest term outweighs all others.
+  double estimate() const { return std::accumulate(this->terms.begin(), this->terms.begin() + this->size, 0.0); }
+
   int getSign() const { return this->size == 0 ? 0 : this->terms[this->size - 1] > 0.0 ? 1 : -1; }
 
 private:
@@ -68,15 +71,26 @@ private:
   std::size_t size = 0;
 };
 
-std::array<Expansion, 3> subtract(const glm::vec3& left, const glm::vec3& right)
+std::array<Expansion, 3> subtract(const glm::vec3& left, const glm::dvec3& right)
 {
   std::array<Expansion, 3> difference;
   for (int axis = 0; axis < 3; ++axis)
   {
     difference[axis].add(left[axis]);
-    difference[axis].add(-static_cast<double>(right[axis]));
+    difference[axis].add(-right[axis]);
   }
   return difference;
+}
+
+/// A coordinate of the cross product.
+Expansion crossAt(const std::array<Expansion, 3>& left, const std::array<Expansion, 3>& right, int axis)
+{
+  const int y = (axis + 1) % 3;
+  const int z = (axis + 2) % 3;
+  Expansion coordinate;
+  coordinate.addProduct(left[y], right[z], 1.0);
+  coordinate.addProduct(left[z], right[y], -1.0);
+  return coordinate;
 }
 
 } // namespace
@@ -88,17 +102,19 @@ int exactOrientation(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
   Expansion determinant;
   for (int x = 0; x < 3; ++x)
   {
-    const int y = (x + 1) % 3;
-    const int z = (x + 2) % 3;
-    Expansion normal;
-    normal.addProduct(u[y], v[z], 1.0);
-    normal.addProduct(u[z], v[y], -1.0);
     Expansion arm;
     arm.add(lightMC[x]);
     arm.addProduct(-lightMC.w, static_cast<double>(a[x]));
-    determinant.addProduct(normal, arm, 1.0);
+    determinant.addProduct(crossAt(u, v, x), arm, 1.0);
   }
   return determinant.getSign();
+}
+
+glm::dvec3 exactCross(const glm::vec3& a, const glm::vec3& b, const glm::dvec3& lightMC)
+{
+  const std::array<Expansion, 3> u = subtract(a, lightMC);
+  const std::array<Expansion, 3> v = subtract(b, lightMC);
+  return {crossAt(u, v, 0).estimate(), crossAt(u, v, 1).estimate(), crossAt(u, v, 2).estimate()};
 }
 
 int orientation(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::dvec4& lightMC)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ExactOrientation.h"
+
 namespace shadow
 {
 
@@ -105,12 +107,14 @@ std::uint32_t ClosePartBuilder::addRay(const glm::dvec3& ray)
 }
 
 /// Through the point of an edge next to the light: across the edge, in the plane that both lie in. The same for
-/// both triangles of the edge.
+/// both triangles of the edge. On whose side of the light the edge is has to agree with their facing, however
+/// close it is: else their volumes would be turned over.
 std::uint32_t ClosePartBuilder::addRayBetween(std::uint32_t from, std::uint32_t to)
 {
-  const glm::dvec3 first = this->getRay(std::min(from, to));
-  const glm::dvec3 second = this->getRay(std::max(from, to));
-  return this->addRay(glm::cross(second - first, glm::cross(first, second)));
+  const glm::vec3& first = this->geometry.getPositions()[std::min(from, to)];
+  const glm::vec3& second = this->geometry.getPositions()[std::max(from, to)];
+  return this->addRay(
+      glm::cross(glm::dvec3(second) - glm::dvec3(first), exactCross(first, second, this->lightMC)));
 }
 
 bool ClosePartBuilder::passesLight(std::uint32_t from, std::uint32_t to) const

@@ -133,7 +133,7 @@ bool CertainPixels::findCertainty(int x, int y) const
                        {
                          return !hit && isBackground;
                        }
-                       return this->hasSameAnswerNearby(*hit, isShadowed) && !this->isInPlaneOfLight(*hit) &&
+                       return this->hasSameAnswerNearby(*hit, isShadowed) && !this->isLightInOwnPlane(*hit) &&
                               this->hasSameBlockersNearby(*hit) &&
                               this->hasSameAnswerInDepth(place, ray, *hit, isShadowed);
                      });
@@ -164,7 +164,7 @@ bool CertainPixels::hasSameBlockersNearby(const truth::Hit& hit) const
     }
     same = same && shadowing == Shadowing::Never;
   }
-  return same;
+  return same && !this->isLightInPlaneOfBlocker(hit);
 }
 
 bool CertainPixels::hasSameAnswerInDepth(const glm::dvec2& at, const truth::Ray& ray, const truth::Hit& hit,
@@ -208,19 +208,23 @@ bool CertainPixels::leavesCoincident(const truth::Hit& hit, const glm::dvec3& mo
                      });
 }
 
-bool CertainPixels::isInPlaneOfLight(const truth::Hit& hit) const
+bool CertainPixels::isLightInOwnPlane(const truth::Hit& hit) const
 {
-  for (std::size_t i = 0; i < this->triangles.size(); ++i)
+  const truth::LocalTriangle& triangle = this->triangles[hit.triangle];
+  return std::any_of(this->movedLights.begin(), this->movedLights.end(), [&](const truth::LocalLight& moved)
+                     { return isGrazing(triangle, glm::dvec3(moved.position) - moved.position.w * hit.point) ||
+                              truth::sideOfPlane(triangle, moved.position, moved.rounding) == 0; });
+}
+
+bool CertainPixels::isLightInPlaneOfBlocker(const truth::Hit& hit) const
+{
+  for (const truth::LocalTriangle& triangle : this->triangles)
   {
     for (const truth::LocalLight& moved : this->movedLights)
     {
       const glm::dvec3 direction = glm::dvec3(moved.position) - moved.position.w * hit.point;
-      if (i == hit.triangle && isGrazing(this->triangles[i], direction))
-      {
-        return true;
-      }
-      if ((i == hit.triangle || truth::lineVolumes(this->triangles[i], hit.point, direction).crosses()) &&
-          truth::sideOfPlane(this->triangles[i], moved.position, moved.rounding) == 0)
+      if (truth::sideOfPlane(triangle, moved.position, moved.rounding) == 0 &&
+          truth::lineVolumes(triangle, hit.point, direction).crosses())
       {
         return true;
       }

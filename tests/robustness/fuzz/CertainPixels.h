@@ -25,8 +25,8 @@ namespace shadow::fuzz
 ///   directional light, of 1. What blocks the light is decided for all of the cube, see ShadowingRange.h,
 ///   what else counts, as the cone of a spot light, for its corners;
 /// - and when the light lies in the plane of no triangle that counts here, as far as rounding of its corners
-///   tells: not of the one that is seen, nor of one between it and the light. The ray caster takes these for
-///   neither side, see truth::sideOfPlane(). Slivers turn about their long side with the least rounding, so
+///   tells: not of the one that is seen, nor of one between it and the light, unless another triangle blocks
+///   the light wherever it is moved. The ray caster takes these for neither side, see truth::sideOfPlane(). Slivers turn about their long side with the least rounding, so
 ///   for them this reaches farther than the cube. Points in double precision are drawn in single precision,
 ///   by VTK as well, so there it is that rounding;
 /// - and when the light does not graze the surface that is seen, by less than 1e-6: which pixels are seen of
@@ -58,7 +58,8 @@ private:
   bool hasSameAnswerInDepth(const glm::dvec2& at, const truth::Ray& ray, const truth::Hit& hit,
                             bool isShadowed) const;
   bool leavesCoincident(const truth::Hit& hit, const glm::dvec3& moved, double lifted) const;
-  bool isInPlaneOfLight(const truth::Hit& hit) const;
+  bool isLightInOwnPlane(const truth::Hit& hit) const;
+  bool isLightInPlaneOfBlocker(const truth::Hit& hit) const;
 
   truth::RayCaster caster;
   truth::MaskTruth truth;
