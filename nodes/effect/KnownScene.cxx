@@ -104,8 +104,8 @@ KnownScene::KnownScene(bool parallelView)
     : lights{{0, {-3.0, 9.0, 4.0, 1.0}}, {maximumLights - 1, {-0.78, 1.0, 0.19, 0.0}}}
 {
   const glm::dmat4 viewFromWC = glm::lookAt(glm::dvec3(0, 7, 6), glm::dvec3(0, 0.3, 0), glm::dvec3(0, 1, 0));
-  const glm::dmat4 clipFromView = parallelView ? glm::ortho(-2.9, 2.9, -2.9, 2.9, 1.0, 20.0)
-                                               : glm::perspective(glm::radians(36.0), 1.0, 1.0, 20.0);
+  const glm::dmat4 clipFromView = parallelView ? glm::ortho(-2.85, 2.85, -2.85, 2.85, 1.0, 20.0)
+                                               : glm::perspective(glm::radians(35.7), 1.0, 1.0, 20.0);
   this->view = makeView(clipFromView * viewFromWC, side, side);
   this->wcFromClip = glm::inverse(this->view.clipFromWC);
   int number = 0;

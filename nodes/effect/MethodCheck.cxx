@@ -54,15 +54,15 @@ private:
   std::map<vtkMTimeType, std::map<Way, std::string>> contexts;
 };
 
-/// Pixels of a mask that are not as they have to be. Where a pixel has several samples, one may find what no
-/// corner of it does.
+/// Pixels of a mask that are not as they have to be. Of several samples some may lie on an edge that two faces of
+/// a volume share, and count for both or neither: a pixel is wrong when three quarters of them are.
 std::size_t countWrong(const std::vector<KnownScene::Answer>& answers, const std::vector<unsigned char>& mask)
 {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
-    wrong += answers[i] == KnownScene::Answer::Reached && mask[i] < 192 ? 1 : 0;
-    wrong += answers[i] == KnownScene::Answer::Shadow && mask[i] > 63 ? 1 : 0;
+    wrong += answers[i] == KnownScene::Answer::Reached && mask[i] < 65 ? 1 : 0;
+    wrong += answers[i] == KnownScene::Answer::Shadow && mask[i] > 190 ? 1 : 0;
   }
   return wrong;
 }
@@ -106,7 +106,9 @@ std::optional<std::string> findFault(vtkOpenGLRenderWindow* window, ShadowVolume
       wrong += countWrong(answers, masks[mask]);
     }
   }
-  return wrong == 0
+  // A rasteriser that rounds otherwise is not wrong: faults of drivers show in whole parts of the scene.
+  constexpr std::size_t fewest = 3;
+  return wrong < fewest
              ? ""
              : "this GL draws shadows wrongly, as " + std::to_string(wrong) + " pixels of a test tell";
 }

@@ -34,7 +34,7 @@ if(SHADOW_TEST_PYTHON AND VTKSHADOW_PYTHON_WRAPPED)
 
   # plotter.exact_shadows, and where pyvista-render-passes is (Python 3.12 and PyVista 0.49) the provider for it.
   foreach(part component chains render_passes)
-    add_test(NAME PyVista.${part} COMMAND ${on_server} ${SHADOW_TEST_PYTHON} -B
+    add_test(NAME PyVista.${part} COMMAND ${on_display} ${SHADOW_TEST_PYTHON} -B
       ${CMAKE_CURRENT_SOURCE_DIR}/with_pyvista/test_${part}.py)
     set_tests_properties(PyVista.${part} PROPERTIES LABELS unit TIMEOUT 900 RESOURCE_LOCK x_server
       ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python:$ENV{PYTHONPATH}"
