@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "DepthReach.h"
+#include "SceneRounding.h"
 #include "ShadowingRange.h"
 
 namespace shadow::fuzz
@@ -16,19 +17,6 @@ namespace
 
 constexpr double roundings = 32.0 * std::numeric_limits<double>::epsilon();
 constexpr double depthRoundings = 4.0 * std::numeric_limits<float>::epsilon();
-
-double getLargestCoordinate(const truth::Scene& scene, const glm::dvec4& lightPosition)
-{
-  double largest = truth::largestCoordinate(glm::dvec3(lightPosition));
-  for (const truth::Triangle& triangle : scene.triangles)
-  {
-    for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c})
-    {
-      largest = std::max(largest, truth::largestCoordinate(corner));
-    }
-  }
-  return largest;
-}
 
 /// Half the side of the cube that the light is moved in.
 double getHalfSide(const truth::Scene& scene, const truth::Light& light)
@@ -58,7 +46,7 @@ std::vector<truth::LocalTriangle> makeTriangles(const truth::RayCaster& caster, 
 {
   // From roundings of double to those of single precision, of what is drawn: relative to an origin in the
   // scene.
-  const double coarser = doublePoints ? std::exp2(29.0) : 1.0;
+  const double coarser = doublePoints ? fromDoubleToSingle : 1.0;
   const glm::dvec3 drawnFrom = doublePoints ? caster.originWC() : glm::dvec3(0.0);
   std::vector<truth::LocalTriangle> triangles;
   for (const truth::Triangle& triangle : scene.triangles)
@@ -211,9 +199,14 @@ bool CertainPixels::leavesCoincident(const truth::Hit& hit, const glm::dvec3& mo
 bool CertainPixels::isLightInOwnPlane(const truth::Hit& hit) const
 {
   const truth::LocalTriangle& triangle = this->triangles[hit.triangle];
-  return std::any_of(this->movedLights.begin(), this->movedLights.end(), [&](const truth::LocalLight& moved)
-                     { return isGrazing(triangle, glm::dvec3(moved.position) - moved.position.w * hit.point) ||
-                              truth::sideOfPlane(triangle, moved.position, moved.rounding) == 0; });
+  return std::any_of(this->movedLights.begin(), this->movedLights.end(),
+                     [&](const truth::LocalLight& moved)
+                     {
+                       const glm::dvec3 direction =
+                           glm::dvec3(moved.position) - moved.position.w * hit.point;
+                       return isGrazing(triangle, direction) ||
+                              truth::sideOfPlane(triangle, moved.position, moved.rounding) == 0;
+                     });
 }
 
 bool CertainPixels::isLightInPlaneOfBlocker(const truth::Hit& hit) const

@@ -26,8 +26,8 @@ DrawnScene FuzzSession::draw(const FuzzScene& scene)
   const truth::View view = this->window.getView();
   const truth::Light light = this->window.getLight();
   drawn.truth = std::make_unique<CertainPixels>(triangles, view, light, scene.doublePoints);
-  const bool mayUseZPass =
-      isNearPlaneLit(triangles, truth::PixelRays(view, glm::dvec3(0.0)), scene.size, light);
+  const truth::PixelRays rays(view, glm::dvec3(0.0));
+  const bool mayUseZPass = isNearPlaneLit(triangles, rays, scene.size, light, scene.doublePoints);
   for (auto config = configs.begin() + 1; config != configs.end(); ++config)
   {
     if (config->stencil != vtkShadowVolumePass::STENCIL_ZPASS || mayUseZPass)

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "SceneRounding.h"
+
 namespace shadow::fuzz
 {
 
@@ -27,7 +29,7 @@ struct HalfSpace
 
 /// Normal towards a point that is known to be inside.
 std::optional<HalfSpace> makeHalfSpace(const glm::dvec3& point, const glm::dvec3& normal,
-                                       const glm::dvec3& inside, double size)
+                                       const glm::dvec3& inside, double size, double rounding)
 {
   const double length = glm::length(normal);
   const double height = length > 0.0 ? glm::dot(inside - point, normal) / length : 0.0;
@@ -35,28 +37,29 @@ std::optional<HalfSpace> makeHalfSpace(const glm::dvec3& point, const glm::dvec3
   {
     return std::nullopt;
   }
-  return HalfSpace{point, (height > 0.0 ? 1.0 : -1.0) / length * normal, 1e-7 * size};
+  return HalfSpace{point, (height > 0.0 ? 1.0 : -1.0) / length * normal, 1e-7 * size + rounding};
 }
 
 /// What lies between the rectangle and the light. Empty when the light is in the rectangle's plane.
-std::vector<HalfSpace> makeHull(const Corners& corners, const glm::dvec4& light)
+std::vector<HalfSpace> makeHull(const Corners& corners, const glm::dvec4& light, double rounding)
 {
   const glm::dvec3 centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
   const double size = glm::distance(corners[0], corners[2]);
   const glm::dvec3 towards = glm::dvec3(light) - light.w * centre;
   const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[3] - corners[0]);
   const glm::dvec3 above = light.w != 0.0 ? glm::dvec3(light) : centre + size * glm::normalize(towards);
-  std::vector<std::optional<HalfSpace>> bounds = {makeHalfSpace(centre, normal, above, size)};
+  std::vector<std::optional<HalfSpace>> bounds = {makeHalfSpace(centre, normal, above, size, rounding)};
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const glm::dvec3& corner = corners[i];
     const glm::dvec3 side = corners[(i + 1) % 4] - corner;
     bounds.push_back(
-        makeHalfSpace(corner, glm::cross(side, glm::dvec3(light) - light.w * corner), centre, size));
+        makeHalfSpace(corner, glm::cross(side, glm::dvec3(light) - light.w * corner),
+                                   centre, size, rounding));
   }
   if (light.w != 0.0)
   {
-    bounds.push_back(makeHalfSpace(glm::dvec3(light), normal, centre, size));
+    bounds.push_back(makeHalfSpace(glm::dvec3(light), normal, centre, size, rounding));
   }
   std::vector<HalfSpace> hull;
   for (const std::optional<HalfSpace>& bound : bounds)
@@ -95,11 +98,13 @@ std::vector<glm::dvec3> clip(const std::vector<glm::dvec3>& polygon, const HalfS
 } // namespace
 
 bool isNearPlaneLit(const truth::Scene& scene, const truth::PixelRays& rays, const glm::dvec2& size,
-                    const truth::Light& light)
+                    const truth::Light& light, bool doublePoints)
 {
   const Corners corners = {rays.through(0.0, 0.0).origin, rays.through(size.x, 0.0).origin,
                            rays.through(size.x, size.y).origin, rays.through(0.0, size.y).origin};
-  const std::vector<HalfSpace> hull = makeHull(corners, light.positionWC);
+  const double rounding = (doublePoints ? fromDoubleToSingle : 1.0) *
+                          truth::vertexRounding(getLargestCoordinate(scene, light.positionWC));
+  const std::vector<HalfSpace> hull = makeHull(corners, light.positionWC, rounding);
   return !hull.empty() &&
          std::none_of(scene.triangles.begin(), scene.triangles.end(),
                       [&hull](const truth::Triangle& triangle)

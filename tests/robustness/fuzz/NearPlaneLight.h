@@ -11,9 +11,10 @@ namespace shadow::fuzz
 ///
 /// @param rays  of the view, around the world's origin
 /// @param size  of the view, pixels
+/// @param doublePoints  the points do not fit into single precision, in which they are drawn
 /// @return false, too, for a light in the near plane, where nothing is sure
 /// @par Cost  O(triangles)
 bool isNearPlaneLit(const truth::Scene& scene, const truth::PixelRays& rays, const glm::dvec2& size,
-                    const truth::Light& light);
+                    const truth::Light& light, bool doublePoints);
 
 } // namespace shadow::fuzz
