@@ -3,8 +3,8 @@
 import numpy as np
 import pyvista as pv
 
-from pyvista_shapes import (ball, blocks, cells, cloud, curve, grid, numbered, over_table, scene, striped, swirl,
-                            table, turned, wavy)
+from pyvista_shapes import (ball, blocks, cells, cloud, curve, grid, numbered, over_table, scene, striped,
+                            swirl, table, turned, wavy)
 
 
 def glyphs(plotter):
@@ -60,12 +60,18 @@ def backfaces(plotter):
 
 def rods(plotter):
     scene(plotter)
-    plotter.add_lines(np.array([(-1.0, -1, 0), (1, -1, 0.5), (1, 1, 0), (-1, 1, 0.5)]), color="purple", width=5)
+    ends = np.array([(-1.0, -1, 0), (1, -1, 0.5), (1, 1, 0), (-1, 1, 0.5)])
+    plotter.add_lines(ends, color="purple", width=5)
 
 
 def arrows(plotter):
     scene(plotter)
     plotter.add_arrows(np.array([(0, 0, 0.6), (1.0, 0, 0)]), np.array([(0, 0, 1.0), (0.5, 0.5, 0)]), mag=0.7)
+
+
+def isolines(plotter):
+    plotter.add_mesh(wavy(), color="white")
+    plotter.add_mesh(numbered(wavy()).contour(8, scalars="height"), color="black", line_width=3)
 
 
 def streams(plotter):
@@ -145,7 +151,8 @@ def crowd(plotter):
 ROWS = {
     "smooth": lambda p: scene(p, smooth_shading=True, specular=0.5),
     "flat": lambda p: scene(p, smooth_shading=False),
-    "gouraud": lambda p: scene(p, interpolation="Gouraud", ambient=0.2, diffuse=0.7, specular=1, specular_power=20),
+    "gouraud": lambda p: scene(p, interpolation="Gouraud", ambient=0.2, diffuse=0.7, specular=1,
+                               specular_power=20),
     "physically_based": lambda p: scene(p, pbr=True, metallic=0.6, roughness=0.4),
     "edges": lambda p: scene(p, show_edges=True),
     "wide_edges": lambda p: scene(p, show_edges=True, edge_color="red", line_width=3, edge_opacity=0.5),
@@ -154,7 +161,8 @@ ROWS = {
     "wireframe_of_tubes": lambda p: scene(p, style="wireframe", line_width=5, render_lines_as_tubes=True),
     "points": lambda p: scene(p, style="points", point_size=6, render_points_as_spheres=True),
     "square_points": lambda p: p.add_points(np.asarray(ball().points), color="red", point_size=8),
-    "gaussian_points": lambda p: over_table(p, cloud(), style="points_gaussian", point_size=15, emissive=True),
+    "gaussian_points": lambda p: over_table(p, cloud(), style="points_gaussian", point_size=15,
+                                            emissive=True),
     "gaussian_spheres": lambda p: over_table(p, cloud(), style="points_gaussian", point_size=30,
                                              render_points_as_spheres=True),
     "unlit": lambda p: scene(p, lighting=False),
@@ -181,11 +189,11 @@ ROWS = {
     "slices": lambda p: p.add_mesh(grid().slice_orthogonal()),
     "threshold": lambda p: over_table(p, grid().threshold(0.6), scalars="value"),
     "contours": lambda p: over_table(p, grid().contour(3), opacity=0.6),
-    "isolines": lambda p: (p.add_mesh(wavy(), color="white"),
-                           p.add_mesh(numbered(wavy()).contour(8, scalars="height"), color="black", line_width=3)),
+    "isolines": isolines,
     "shrunk": lambda p: over_table(p, grid().extract_subset((0, 4, 0, 4, 0, 4)).shrink(0.7), color="tan"),
     "explicit_cells": lambda p: over_table(p, grid().cast_to_unstructured_grid().clip("x"), show_edges=True),
-    "extracted_edges": lambda p: over_table(p, pv.Cube().extract_feature_edges(30), color="red", line_width=4),
+    "extracted_edges": lambda p: over_table(p, pv.Cube().extract_feature_edges(30), color="red",
+                                            line_width=4),
     "moebius_strip": lambda p: over_table(p, pv.ParametricMobius().scale(0.6, inplace=False), color="tan"),
     "text_3d": lambda p: over_table(p, pv.Text3D("solid", depth=0.2, height=0.8), color="tan"),
     "streamlines": streams,
