@@ -1,6 +1,7 @@
 """Scenes as PyVista's users make them look the same with our passes, where these have nothing to add.
 
-Where they have, nothing gets brighter, nothing changes out of the shadows, and the status says what is left out.
+Where they have, nothing gets brighter, nothing changes out of the shadows, and the status says what is left
+out.
 
 Needs PyVista and a display. Usage: drop_in_pyvista.py [-v] [TestPyVista.test_NAME]
 """
@@ -49,7 +50,7 @@ def make_plotter(name):
 
 
 def lay_out_again(plotter):
-    """VTK's render passes mark props as modified, once, and VTK's legends choose another size of text then, once."""
+    """VTK's render passes mark props as modified, once, and its legends then choose another size of text."""
     for renderer in plotter.renderers:
         for prop in renderer.GetViewProps():
             prop.Modified()
