@@ -127,7 +127,7 @@ configure_pip() {
 # This system may have a VTK of its own, of which no program may load anything.
 check_vtk() {
   local loaded
-  loaded=$(find build/bin build/lib -type f \( -executable -o -name '*.so' \) -exec ldd {} + | grep libvtk)
+  loaded=$(find build/bin build/lib -type f \( -executable -o -name '*.so' \) -exec ldd {} + | grep 'libvtk.* =>')
   ! grep -vF -e "=> $(pwd -P)/build/" -e "=> $(dirname "$(dirname "$PYTHON")")/" <<<"$loaded" ||
     { echo "another VTK than the environment's would be loaded, or none"; return 1; }
 }
