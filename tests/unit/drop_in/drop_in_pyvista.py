@@ -136,7 +136,8 @@ def occluded(plotter):
 
 def smoothed(plotter):
     scene(plotter)
-    plotter.enable_anti_aliasing("fxaa")
+    plotter.disable_anti_aliasing()
+    plotter.renderer.UseFXAAOn()  # enable_anti_aliasing("fxaa") sets another pass where there is no display
 
 
 def hidden_lines(plotter):
