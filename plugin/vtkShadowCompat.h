@@ -26,6 +26,13 @@
 #define VTKSHADOW_CELL_TYPES(grid) (grid)->GetCellTypesArray()
 #endif
 
+// PyVista's build (cvista) has no actors with levels of detail, splats as spheres, and half of the filters among passes.
+#if __has_include(<vtkOutlineGlowPass.h>)
+#define VTKSHADOW_VTK_IS_WHOLE 1
+#else
+#define VTKSHADOW_VTK_IS_WHOLE 0
+#endif
+
 // 9.4 loads GL functions through glad, and lets a window say how.
 #define VTKSHADOW_WINDOW_LOADS_SYMBOLS VTKSHADOW_VTK_AT_LEAST(9, 4)
 

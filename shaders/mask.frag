@@ -1,9 +1,9 @@
 //VTK::System::Dec
 // mask.frag - mask stage. Drawn by nodes/drawable/surfaces/ShadowTarget, combined by logical AND with what is there.
 // The stencil test lets pass where the count is not zero, or the shader looks at the count itself.
-// unif lightBit  int        bit of the light in the mask
+// unif maskBit   int        bit of the light in the mask
 // unif counts    sampler2D  counts of faces; or sampler2DMS
-uniform int lightBit;
+uniform int maskBit;
 #ifdef SHADOW_MULTISAMPLE
 uniform sampler2DMS counts;
 #elif defined(SHADOW_COUNT_IN_COLOR)
@@ -24,5 +24,5 @@ void main()
     discard;
   }
 #endif
-  reached = ~(1u << uint(lightBit));
+  reached = ~(1u << uint(maskBit));
 }

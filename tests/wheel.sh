@@ -10,9 +10,25 @@ source "$here/../plugin/python/wheel/find_python.sh"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 "$python" -m venv "$work/environment"
-"$work/environment/bin/python" -m pip --disable-pip-version-check install --quiet "$wheel" pyvista==0.49.1 'cvista[rendering]'
+"$work/environment/bin/python" -m pip --disable-pip-version-check install --quiet "$wheel" 'cvista[rendering]' \
+  pyvista==0.49.1 pyvista-render-passes==0.2.0
 unset DISPLAY WAYLAND_DISPLAY PYTHONPATH
-for each in wheel_contents python_vtk python_stubs wheel_scene; do
-  echo "== $each"
-  (cd "$work" && "$work/environment/bin/python" -B "$here/unit/package/$each.py")
+scripts=(
+  package/{wheel_contents,python_vtk,python_stubs,wheel_scene}.py
+  drop_in/drop_in_pyvista.py
+  with_pyvista/test_{component,chains,render_passes}.py
+)
+passed=0
+for script in "${scripts[@]}"; do
+  echo "== $script"
+  # Scripts that lack what they test say so, and end well.
+  if (cd "$work" && "$work/environment/bin/python" -B "$here/unit/$script") >"$work/output" 2>&1 &&
+    ! grep -q "^there is no" "$work/output"; then
+    passed=$((passed + 1))
+  else
+    echo "FAILED: $script"
+  fi
+  cat "$work/output"
 done
+echo "wheel: $passed of ${#scripts[@]} scripts passed"
+[ "$passed" -eq ${#scripts[@]} ]

@@ -1,6 +1,7 @@
 #include "HeadlessFactory.h"
 
 #include <cstdlib>
+#include <string>
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -38,6 +39,16 @@ bool hasDisplay()
     }
   }
   return false;
+}
+
+/// VTK's windows draw by the GL that ours are told to: when one of EGL's goes, OSMesa's contexts draw no more.
+void chooseForVtk()
+{
+  const char* chosen = std::getenv("VTKSHADOW_HEADLESS");
+  if (VTKSHADOW_VTK_DRAWS_HEADLESS && !hasDisplay() && chosen != nullptr && std::string(chosen) == "osmesa")
+  {
+    setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkOSOpenGLRenderWindow", 0);
+  }
 }
 
 VTK_CREATE_CREATE_FUNCTION(vtkHeadlessRenderWindow)
@@ -82,6 +93,7 @@ void registerHeadlessFactory()
 {
   static const bool registered = []
   {
+    chooseForVtk();
     vtkNew<HeadlessFactory> factory;
     vtkObjectFactory::RegisterFactory(factory);
     return true;

@@ -32,7 +32,8 @@ public:
   /**
    * From now on vtkRenderWindow::New() gives a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an
    * interactor whose Start() returns at once. For code that makes its windows itself. From VTK 9.4 on, whose own
-   * windows need no display, it is the interactor only, and only where the environment names no display.
+   * windows need no display, it is the interactor only, and only where the environment names no display;
+   * there VTKSHADOW_HEADLESS=osmesa goes for VTK's own windows as well, if it is called before the first of them.
    */
   static void OverrideRenderWindow();
 

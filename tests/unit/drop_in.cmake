@@ -1,7 +1,7 @@
 # Scenes that must look the same with our passes as without, where these have nothing to add. Included by
 # pass.cmake.
 find_package(VTK 9.1 REQUIRED COMPONENTS ChartsCore InteractionWidgets RenderingContextOpenGL2 RenderingFreeType
-  RenderingLabel RenderingLOD)
+  RenderingLabel OPTIONAL_COMPONENTS RenderingLOD)
 add_executable(test_drop_in
   drop_in/DropInCase.cxx
   drop_in/DropInScene.cxx
@@ -17,8 +17,8 @@ add_executable(test_drop_in
 target_link_libraries(test_drop_in PRIVATE
   shadow_ball_scene GTest::gtest_main shadow_warnings
   VTK::ChartsCore VTK::FiltersCore VTK::FiltersSources VTK::InteractionStyle VTK::InteractionWidgets
-  VTK::RenderingAnnotation VTK::RenderingContextOpenGL2 VTK::RenderingFreeType VTK::RenderingLabel VTK::RenderingLOD
-  VTK::RenderingVolumeOpenGL2)
+  VTK::RenderingAnnotation VTK::RenderingContextOpenGL2 VTK::RenderingFreeType VTK::RenderingLabel
+  $<TARGET_NAME_IF_EXISTS:VTK::RenderingLOD> VTK::RenderingVolumeOpenGL2)
 vtk_module_autoinit(TARGETS test_drop_in MODULES
   VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingContextOpenGL2 VTK::RenderingFreeType
   VTK::RenderingVolumeOpenGL2 VTK::InteractionStyle)

@@ -77,6 +77,16 @@ class House(unittest.TestCase):
             for source in (PROJECT / room).rglob("*.cxx"):
                 self.assertNotRegex(source.read_text(), r"gl_Position\s*[=.]|#version \d", str(source))
 
+    def test_a_uniform_is_set_in_one_way(self):
+        """From 9.7 on VTK does not set again what it has set last, and knows nothing of what GL was told beside it."""
+        sources = [source.read_text() for room in [*ROOMS, "plugin/passes"] for source in (PROJECT / room).rglob("*.cxx")]
+        by_vtk, by_gl = (
+            {name for source in sources for call in re.findall(calls, source) for name in re.findall(r'"(\w+)"', call)}
+            for calls in (r"\b(?:[sS]etUniform\w*|setDepthBias|drawReading)(\([^;]*);", r"\b(?:glGetUniformLocation|bind)(\([^;]*);")
+        )
+        self.assertGreater(min(len(by_vtk), len(by_gl)), 15)
+        self.assertEqual(by_vtk & by_gl, set())
+
     def test_the_wheel_is_for_one_vtk(self):
         versions = re.findall(r'"cvista[^"=]*==([^"]*)"', (PROJECT / "pyproject.toml").read_text())
         self.assertEqual((len(versions), len(set(versions))), (3, 1), "what it is built for is what it asks for")

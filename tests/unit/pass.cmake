@@ -57,9 +57,8 @@ if(VTKSHADOW_HEADLESS)
     outlines/test_outline_without_area.cxx)
   target_link_libraries(test_outline_pass PRIVATE
     shadow_outline_scene shadow_ball_scene shadow_effect shadow_drawable shadow_test_meshes GTest::gtest_main shadow_warnings
-    VTK::FiltersHybrid ${CMAKE_DL_LIBS})
-  vtk_module_autoinit(TARGETS test_outline_pass MODULES
-    VTK::RenderingCore VTK::RenderingOpenGL2 VTK::RenderingImage VTK::RenderingLOD)
+    VTK::FiltersHybrid $<TARGET_NAME_IF_EXISTS:VTK::FiltersHybridRendering> ${CMAKE_DL_LIBS})
+  vtk_module_autoinit(TARGETS test_outline_pass MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
   gtest_discover_tests(test_outline_pass DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 
   # The groundwork of the GPU methods, without a pass. The benchmarks use the scene as well.

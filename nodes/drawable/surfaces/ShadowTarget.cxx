@@ -148,7 +148,7 @@ bool ShadowTarget::foldCount(vtkOpenGLState* state, ShadowPrograms& programs, in
   {
     return false;
   }
-  program->SetUniformi("lightBit", light);
+  program->SetUniformi("maskBit", light);
   // Drawn at the farthest depth, and seen where a surface is in front of it.
   program->SetUniformf("farDepth", reversedDepth ? 0.0f : 1.0f);
   state->vtkglEnable(GL_DEPTH_TEST);

@@ -78,7 +78,7 @@ void ShadowTarget::readResolved(vtkOpenGLRenderWindow* window, int light, std::v
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, this->maskTexture);
     program->SetUniformf("farDepth", 0.0f);
     program->SetUniformi("shadowMask", 0);
-    program->SetUniformi("lightBit", light);
+    program->SetUniformi("maskBit", light);
     program->SetUniformi("samples", this->samples);
     glBindVertexArray(this->emptyVertexArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -11,7 +11,8 @@ there is one. Not set: the first of these that draws.
 
 VTK's own windows need no display from VTK 9.4 on, and show themselves where there is one. There this leaves them as they
 are, and only without a display gives them such an interactor; it may be imported at any time; and ours draws by EGL, as
-they do, where VTKSHADOW_HEADLESS is not set and EGL draws.
+they do, where VTKSHADOW_HEADLESS is not set and EGL draws. Without a display `osmesa` goes for theirs as well, if this is
+imported before the first of them.
 """
 
 import ctypes

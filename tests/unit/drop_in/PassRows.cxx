@@ -4,22 +4,26 @@
 #include <vtkLightsPass.h>
 #include <vtkOpaquePass.h>
 #include <vtkOpenGLFXAAPass.h>
-#include <vtkOutlineGlowPass.h>
 #include <vtkOverlayPass.h>
-#include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkSSAAPass.h>
 #include <vtkSSAOPass.h>
 #include <vtkSequencePass.h>
 #include <vtkSilhouettePass.h>
-#include <vtkSimpleMotionBlurPass.h>
 #include <vtkSobelGradientMagnitudePass.h>
-#include <vtkToneMappingPass.h>
 #include <vtkTranslucentPass.h>
 #include <vtkVolumetricPass.h>
 
+#include "../../../plugin/vtkShadowCompat.h"
 #include "DropInCase.h"
+
+#if VTKSHADOW_VTK_IS_WHOLE
+#include <vtkOutlineGlowPass.h>
+#include <vtkPanoramicProjectionPass.h>
+#include <vtkSimpleMotionBlurPass.h>
+#include <vtkToneMappingPass.h>
+#endif
 
 // Passes of VTK's above ours and beside it.
 namespace shadow::test
@@ -63,10 +67,6 @@ void setAbove(vtkSSAOPass* pass)
 {
   pass->SetRadius(0.5);
   pass->SetBias(0.01);
-}
-void setAbove(vtkSimpleMotionBlurPass* pass)
-{
-  pass->SetSubFrames(2);
 }
 void setAbove(vtkRenderPass*) {}
 
@@ -143,6 +143,19 @@ void attachInSequence(vtkRenderer* renderer, vtkRenderPass* ours)
       sequence({vtkNew<vtkLightsPass>(), opaque, vtkNew<vtkTranslucentPass>(), vtkNew<vtkOverlayPass>()}))));
 }
 
+void buildWithGlass(DropInScene& scene)
+{
+  build(scene);
+  addGlass(scene, {1, 0, 0}, {-0.5, 0.6, 1.0});
+  addGlass(scene, {0, 0, 1}, {0.1, 0.6, 1.2});
+}
+
+#if VTKSHADOW_VTK_IS_WHOLE
+void setAbove(vtkSimpleMotionBlurPass* pass)
+{
+  pass->SetSubFrames(2);
+}
+
 void attachToStepsBelow(vtkRenderer* renderer, vtkRenderPass* ours)
 {
   vtkNew<vtkRenderStepsPass> steps;
@@ -162,13 +175,7 @@ void buildGlowing(DropInScene& scene)
   scene.table->VisibilityOff();
   scene.renderer->SetBackground(0.0, 0.0, 0.0);
 }
-
-void buildWithGlass(DropInScene& scene)
-{
-  build(scene);
-  addGlass(scene, {1, 0, 0}, {-0.5, 0.6, 1.0});
-  addGlass(scene, {0, 0, 1}, {0.1, 0.6, 1.2});
-}
+#endif
 
 } // namespace
 
@@ -187,19 +194,22 @@ std::vector<Row> treeRows()
 
 std::vector<Row> filterRows()
 {
-  std::vector<Row> rows{{"steps_below_tone_mapping", build, attachToStepsBelow}};
+  std::vector<Row> rows;
   addAbove<vtkSSAAPass>(rows, "ssaa");
   rows.push_back({"ssaa_below_lines", build, attachBelowSupersamplingAndLines, filteredWays});
   addAbove<vtkEDLShading>(rows, "edl");
   addAbove<vtkGaussianBlurPass>(rows, "gaussian_blur");
   addAbove<vtkSobelGradientMagnitudePass>(rows, "sobel");
-  addAbove<vtkToneMappingPass>(rows, "tone_mapping");
   // vtkDepthOfFieldPass is left out: it does not draw the same picture twice.
-  addAbove<vtkOutlineGlowPass>(rows, "outline_glow", buildGlowing);
   addAbove<vtkOpenGLFXAAPass>(rows, "fxaa_pass");
   addAbove<vtkSSAOPass>(rows, "ssao_pass", build, everyWay & ~Shadowed);
+#if VTKSHADOW_VTK_IS_WHOLE
+  rows.push_back({"steps_below_tone_mapping", build, attachToStepsBelow});
+  addAbove<vtkToneMappingPass>(rows, "tone_mapping");
+  addAbove<vtkOutlineGlowPass>(rows, "outline_glow", buildGlowing);
   addAbove<vtkSimpleMotionBlurPass>(rows, "motion_blur");
   addAbove<vtkPanoramicProjectionPass>(rows, "panorama");
+#endif
   return rows;
 }
 

@@ -12,25 +12,29 @@
 #include <vtkImageProperty.h>
 #include <vtkImageSlice.h>
 #include <vtkImageSliceMapper.h>
-#include <vtkLODActor.h>
 #include <vtkLODProp3D.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
-#include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPointGaussianMapper.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPropAssembly.h>
 #include <vtkProperty.h>
-#include <vtkQuadricLODActor.h>
 #include <vtkSkybox.h>
 #include <vtkSmartVolumeMapper.h>
 #include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include "../../../plugin/vtkShadowCompat.h"
 #include "CompositeMapper.h"
 #include "DropInCase.h"
+
+#if VTKSHADOW_VTK_IS_WHOLE
+#include <vtkLODActor.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkQuadricLODActor.h>
+#endif
 
 // Props of every kind that VTK draws in the scene.
 namespace shadow::test
@@ -68,6 +72,7 @@ void addGlyphs(DropInScene& scene, double opacity)
   actor->GetProperty()->SetOpacity(opacity);
 }
 
+#if VTKSHADOW_VTK_IS_WHOLE
 template <class LevelsOfDetail>
 void addActorWithLevels(DropInScene& scene)
 {
@@ -79,6 +84,7 @@ void addActorWithLevels(DropInScene& scene)
   place(actor);
   scene.renderer->AddActor(actor);
 }
+#endif
 
 void addLevels(DropInScene& scene)
 {
@@ -233,10 +239,12 @@ std::vector<Row> propRows()
       {"glyphs", [](DropInScene& scene) { addGlyphs(scene, 1.0); }},
       {"glyphs_translucent", [](DropInScene& scene) { addGlyphs(scene, 0.4); }},
       {"gaussian_points", addSplats<vtkPointGaussianMapper>},
-      {"sphere_mapper", addSplats<vtkOpenGLSphereMapper>},
       {"lod_prop", addLevels},
+#if VTKSHADOW_VTK_IS_WHOLE
+      {"sphere_mapper", addSplats<vtkOpenGLSphereMapper>},
       {"lod_actor", addActorWithLevels<vtkLODActor>},
       {"quadric_lod_actor", addActorWithLevels<vtkQuadricLODActor>},
+#endif
       {"follower", addFollower},
       {"image_actor", [](DropInScene& scene) { addImage(scene, 1.0); }},
       {"image_actor_translucent", [](DropInScene& scene) { addImage(scene, 0.5); }},

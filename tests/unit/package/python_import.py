@@ -2,6 +2,7 @@
 
 import ctypes
 import ctypes.util
+import importlib
 import os
 import subprocess
 import sys
@@ -29,11 +30,20 @@ def gl_by_symbol():
     return GL_BY_SYMBOL
 
 
-def vtk_first():
-    import vtkmodules
+def of_vtk(module, *names):
+    """Classes of the VTK that the package is for: there may be another one beside it."""
+    from vtkshadow._build import VTK_PACKAGE
 
+    loaded = importlib.import_module(f"{VTK_PACKAGE}.{module}")
+    return [getattr(loaded, name) for name in names]
+
+
+def vtk_first():
+    from vtkshadow._build import VTK_PACKAGE
+
+    importlib.import_module(VTK_PACKAGE)
     if gl_by_symbol():
-        expect_import_error(["before", "vtkmodules"])
+        expect_import_error(["before", VTK_PACKAGE])
     else:
         import vtkshadow.headless
 
@@ -106,7 +116,7 @@ def without_headless():
 
 
 def add(renderer, source):
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+    vtkActor, vtkPolyDataMapper = of_vtk("vtkRenderingCore", "vtkActor", "vtkPolyDataMapper")
 
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
@@ -116,8 +126,8 @@ def add(renderer, source):
 
 
 def make_scene():
-    from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-    from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+    vtkPlaneSource, vtkSphereSource = of_vtk("vtkFiltersSources", "vtkPlaneSource", "vtkSphereSource")
+    vtkLight, vtkRenderer = of_vtk("vtkRenderingCore", "vtkLight", "vtkRenderer")
 
     renderer = vtkRenderer()
     ball = vtkSphereSource()
@@ -168,8 +178,8 @@ def renders_by_what_there_is():
 
 def renders(backend):
     import vtkshadow.headless
-    from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-    from vtkmodules.vtkCommonDataModel import vtkImageData
+    (vtkUnsignedCharArray,) = of_vtk("vtkCommonCore", "vtkUnsignedCharArray")
+    (vtkImageData,) = of_vtk("vtkCommonDataModel", "vtkImageData")
     from vtkshadow import vtkHeadlessRenderWindow, vtkShadowVolumePass
 
     renderer = make_scene()
@@ -201,7 +211,7 @@ def renders(backend):
 
 
 def expect_outlines(renderer, window, shadows):
-    from vtkmodules.vtkCommonDataModel import vtkImageData
+    (vtkImageData,) = of_vtk("vtkCommonDataModel", "vtkImageData")
     from vtkshadow import vtkSilhouettePass
 
     outlines = vtkSilhouettePass()

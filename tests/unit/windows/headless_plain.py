@@ -1,6 +1,7 @@
 """VTK's own classes without a display, after `import vtkshadow.headless`. Usage: headless_plain.py osmesa|egl|unset"""
 
 import ctypes
+import importlib
 import os
 import sys
 
@@ -15,13 +16,13 @@ if LIBRARY is not None:
 os.environ["VTKSHADOW_HEADLESS"] = "" if BACKEND == "unset" else BACKEND
 
 import vtkshadow.headless
-import vtkmodules.vtkInteractionStyle
-import vtkmodules.vtkRenderingOpenGL2
-import vtkmodules.vtkRenderingUI
-from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkRenderWindowInteractor, vtkWindowToImageFilter)
 from vtkshadow import vtkShadowVolumePass
+from vtkshadow._build import VTK_PACKAGE
+
+# Whatever it is called: there may be another VTK beside the one that the package is for.
+for module in "vtkInteractionStyle", "vtkRenderingOpenGL2", "vtkRenderingUI":
+    importlib.import_module(f"{VTK_PACKAGE}.{module}")
+sources, core = (importlib.import_module(f"{VTK_PACKAGE}.{name}") for name in ("vtkFiltersSources", "vtkRenderingCore"))
 
 SIZE = (120, 100)
 BACKGROUND = (51, 102, 153)
@@ -30,18 +31,18 @@ CUBE = (255, 128, 0)
 
 def make_window():
     """A cube, drawn without light, that fills the middle of the window."""
-    source = vtkCubeSource()
-    mapper = vtkPolyDataMapper()
+    source = sources.vtkCubeSource()
+    mapper = core.vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
-    actor = vtkActor()
+    actor = core.vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(*(value / 255 for value in CUBE))
     actor.GetProperty().LightingOff()
-    renderer = vtkRenderer()
+    renderer = core.vtkRenderer()
     renderer.SetBackground(*(value / 255 for value in BACKGROUND))
     renderer.AddActor(actor)
     renderer.GetActiveCamera().SetPosition(0, 0, 4)
-    window = vtkRenderWindow()
+    window = core.vtkRenderWindow()
     window.SetSize(*SIZE)
     window.SetMultiSamples(0)
     window.AddRenderer(renderer)
@@ -51,7 +52,7 @@ def make_window():
 def expect_cube(window, what):
     """The middle is cube and the rim is background, whichever buffer is read, and there are no other colours."""
     for front in True, False:
-        taken = vtkWindowToImageFilter()
+        taken = core.vtkWindowToImageFilter()
         taken.SetInput(window)
         taken.SetReadFrontBuffer(front)
         taken.Update()
@@ -69,7 +70,7 @@ def main():
     expect_cube(first, "plain " + first.GetClassName())
 
     second, _ = make_window()
-    interactor = vtkRenderWindowInteractor()
+    interactor = core.vtkRenderWindowInteractor()
     interactor.SetRenderWindow(second)
     interactor.Initialize()
     interactor.Start()
