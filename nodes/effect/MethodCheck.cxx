@@ -137,6 +137,7 @@ MethodCheck checkMethod(vtkOpenGLRenderWindow* window, ShadowVolumeEffect& effec
     }
     check.milliseconds = stopwatch.getMilliseconds();
   }
+  check.drawn = fault.has_value();
   check.fault = fault.value_or("");
   return check;
 }

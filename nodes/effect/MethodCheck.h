@@ -13,6 +13,7 @@ namespace shadow
 struct MethodCheck
 {
   std::string fault;         ///< one line; empty when it is right
+  bool drawn = true;         ///< false where the GL refuses to draw, which is no fault
   double milliseconds = 0.0; ///< 0 where it was known
 };
 

@@ -87,6 +87,7 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
   shadow::ShadowVolumeEffect::Settings settings;
   settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
   settings.coplanarTolerance = self->CoplanarTolerance;
+  state.Want({self->SilhouetteMethod, self->CountBuffer, self->Samples, state.View.parallel});
   settings.samples = this->ChooseSamples(self->Samples, state);
   settings.waitAfterStages = self->MeasureStages;
   while (true)

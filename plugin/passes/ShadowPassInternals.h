@@ -38,15 +38,33 @@ public:
     RendererState(vtkOpenGLRenderer* renderer, vtkOpenGLRenderWindow* window) : Context(renderer, window) {}
     ~RendererState();
 
-    /// What a method had to give way for: as many as the GL has turned out to be unable to do since the
-    /// wanted method or the context changed.
+    /// What a refusal is of: another setting, or another kind of view, may be drawn rightly.
+    struct Way
+    {
+      int method = -1;
+      int countBuffer = 0;
+      int samples = 0;
+      bool parallel = false;
+
+      bool operator!=(const Way& other) const
+      {
+        return this->method != other.method || this->countBuffer != other.countBuffer ||
+               this->samples != other.samples || this->parallel != other.parallel;
+      }
+    };
+    Way Wanted; ///< what Refusals and RefusedSamples belong to
+
+    /// What a method had to give way for: as many as the GL has turned out to be unable to do since what is
+    /// wanted or the context changed.
     std::map<shadow::SilhouetteMethod, std::string> Refusals;
-    int Wanted = -1; ///< what Refusals belong to
 
     vtkTimeStamp ShaderTime;              ///< when the text put into VTK's shaders changed last
     std::set<std::string> ShaderMessages; ///< of shaders that have been built since
     int ShaderSamples = 0;                ///< of the mask, in that text
     int RefusedSamples = 0;               ///< of the mask, that the GL could not do; 0: none
+
+    /// Forgets what was refused where something else was wanted.
+    void Want(const Way& wanted);
 
     /// The method to use for the one that is wanted: that, or the next best that the GL can do.
     /// @param note  one line when it is not the wanted one

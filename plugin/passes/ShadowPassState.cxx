@@ -46,14 +46,20 @@ void vtkShadowVolumePass::vtkInternals::RendererState::Acquire()
 }
 
 //------------------------------------------------------------------------------
-shadow::SilhouetteMethod
-vtkShadowVolumePass::vtkInternals::RendererState::ChooseMethod(int wanted, int samples, std::string& note)
+void vtkShadowVolumePass::vtkInternals::RendererState::Want(const Way& wanted)
 {
   if (this->Wanted != wanted)
   {
     this->Wanted = wanted;
     this->Refusals.clear();
+    this->RefusedSamples = 0;
   }
+}
+
+//------------------------------------------------------------------------------
+shadow::SilhouetteMethod
+vtkShadowVolumePass::vtkInternals::RendererState::ChooseMethod(int wanted, int samples, std::string& note)
+{
   auto method = static_cast<shadow::SilhouetteMethod>(wanted);
   std::string reason;
   while (true)
@@ -103,9 +109,9 @@ bool vtkShadowVolumePass::vtkInternals::RendererState::CheckEffect(
     const shadow::MethodCheck result =
         shadow::checkMethod(this->Context.getWindow(), *this->Effect, settings, this->View.parallel);
     this->CheckMilliseconds += result.milliseconds;
-    return result.fault;
+    return result;
   };
-  fault = check();
+  fault = check().fault;
   if (fault.empty())
   {
     return true;
@@ -115,7 +121,12 @@ bool vtkShadowVolumePass::vtkInternals::RendererState::CheckEffect(
   const shadow::CountBuffer first = choose(settings.countBuffer);
   const bool color = first == shadow::CountBuffer::Color;
   settings.countBuffer = color ? shadow::CountBuffer::Stencil : shadow::CountBuffer::Color;
-  if (choose(settings.countBuffer) == first || !check().empty())
+  if (choose(settings.countBuffer) == first)
+  {
+    return false;
+  }
+  const shadow::MethodCheck other = check();
+  if (!other.drawn || !other.fault.empty())
   {
     return false;
   }

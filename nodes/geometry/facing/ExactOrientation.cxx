@@ -61,9 +61,13 @@ public:
     }
   }
 
-  /// The largest term outweighs all others.
-  double estimate() const { return std::accumulate(this->terms.begin(), this->terms.begin() + this->size, 0.0); }
+  /// The sum, from the smallest term on: off by a rounding or two.
+  double estimate() const
+  {
+    return std::accumulate(this->terms.begin(), this->terms.begin() + this->size, 0.0);
+  }
 
+  /// The largest term outweighs all others.
   int getSign() const { return this->size == 0 ? 0 : this->terms[this->size - 1] > 0.0 ? 1 : -1; }
 
 private:

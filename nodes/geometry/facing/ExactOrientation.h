@@ -24,12 +24,13 @@ int exactOrientation(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
 /// @par Cost  some fifty operations but for lights within rounding of the plane
 int orientation(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::dvec4& lightMC);
 
-/// The cross product of the rays from a light's position to two points, each coordinate exact but for one rounding:
-/// where the light is within rounding of the line through them, its direction is that of the light beside the line
-/// all the same, and agrees with exactOrientation() of triangles at that edge. 0 where the light is on the line.
+/// The cross product of the rays from a light's position to two points, each coordinate exact but for a
+/// rounding or two: where the light is within rounding of the line through them, its direction is that of the
+/// light beside the line all the same, and agrees with exactOrientation() of triangles at that edge.
 ///
 /// @param a,b      any finite float32 values
 /// @param lightMC  a position, in the coordinates of the points; coordinates as exactOrientation() wants them
+/// @return  0 where the light is on the line: no triangle with that edge faces it, or looks away, then
 /// @par Cost  a microsecond
 glm::dvec3 exactCross(const glm::vec3& a, const glm::vec3& b, const glm::dvec3& lightMC);
 

@@ -5,7 +5,11 @@ endif()
 set(CMAKE_INSTALL_LIBDIR vtkshadow)
 set(VTKSHADOW_PYTHON_DESTINATION .)
 set(VTKSHADOW_RPATH_TO_VTK "$ORIGIN/../${VTKSHADOW_VTK_PACKAGE}")
-set(VTKSHADOW_LICENSES ${SKBUILD_METADATA_DIR}/licenses)
+if(SKBUILD_METADATA_DIR)
+  set(VTKSHADOW_LICENSES ${SKBUILD_METADATA_DIR}/licenses)
+else()
+  set(VTKSHADOW_LICENSES vtkshadow/licenses)
+endif()
 
 # From 9.4 on VTK's own window draws without a display.
 set(VTKSHADOW_HEADLESS OFF)

@@ -26,9 +26,10 @@ namespace shadow::fuzz
 ///   what else counts, as the cone of a spot light, for its corners;
 /// - and when the light lies in the plane of no triangle that counts here, as far as rounding of its corners
 ///   tells: not of the one that is seen, nor of one between it and the light, unless another triangle blocks
-///   the light wherever it is moved. The ray caster takes these for neither side, see truth::sideOfPlane(). Slivers turn about their long side with the least rounding, so
-///   for them this reaches farther than the cube. Points in double precision are drawn in single precision,
-///   by VTK as well, so there it is that rounding;
+///   the light wherever it is moved. The ray caster takes these for neither side, see truth::sideOfPlane().
+///   Slivers turn about their long side with the least rounding, so for them this reaches farther than the
+///   cube. Points in double precision are drawn in single precision, by VTK as well, so there it is that
+///   rounding;
 /// - and when the light does not graze the surface that is seen, by less than 1e-6: which pixels are seen of
 ///   a surface is known to single precision only, and so is which of two surfaces as flat as that lies in
 ///   front.

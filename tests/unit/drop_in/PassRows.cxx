@@ -68,6 +68,12 @@ void setAbove(vtkSSAOPass* pass)
   pass->SetRadius(0.5);
   pass->SetBias(0.01);
 }
+#if VTKSHADOW_VTK_IS_WHOLE
+void setAbove(vtkSimpleMotionBlurPass* pass)
+{
+  pass->SetSubFrames(2);
+}
+#endif
 void setAbove(vtkRenderPass*) {}
 
 /// Two rows: a pass directly above ours, and with a camera pass between.
@@ -151,11 +157,6 @@ void buildWithGlass(DropInScene& scene)
 }
 
 #if VTKSHADOW_VTK_IS_WHOLE
-void setAbove(vtkSimpleMotionBlurPass* pass)
-{
-  pass->SetSubFrames(2);
-}
-
 void attachToStepsBelow(vtkRenderer* renderer, vtkRenderPass* ours)
 {
   vtkNew<vtkRenderStepsPass> steps;

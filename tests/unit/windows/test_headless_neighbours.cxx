@@ -81,7 +81,12 @@ protected:
 
 TEST_F(HeadlessNeighbours, AnyOrder_EachKeepsItsContext)
 {
-  for (const EGLNeighbourKind& kind : listEGLNeighbours())
+  const auto kinds = listEGLNeighbours();
+  if (kinds.empty())
+  {
+    GTEST_SKIP() << "EGL lists nothing to draw with";
+  }
+  for (const EGLNeighbourKind& kind : kinds)
   {
     for (const std::string order : everyOrder)
     {

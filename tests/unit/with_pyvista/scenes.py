@@ -6,10 +6,11 @@ import unittest
 try:
     import numpy as np
     import pyvista as pv
-    from pyvista.plotting.render_passes import _vtk as vtk  # noqa: F401  whatever its package is called
 except ImportError as error:
     print(f"there is no PyVista: {error}")
     sys.exit(0)
+
+from pyvista.plotting.render_passes import _vtk as vtk  # noqa: F401  whatever its package is called
 
 import vtkshadow.pyvista  # noqa: F401  every plotter has exact_shadows from here on
 
