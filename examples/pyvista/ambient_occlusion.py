@@ -24,9 +24,9 @@ def build(**options):
     for number, house in enumerate(city()):
         plotter.add_mesh(house, color=("#e9dcc9", "#d8c3a5", "#e5e3dc", "#c9a58b")[number * 5 % 4])
     plotter.add_mesh(pv.Plane(i_size=60, j_size=60), color="#cfd4d8")
-    plotter.add_light(pv.Light(position=(-4, -2.5, 4.5), light_type="scene light", color="#fff0d8", intensity=0.65))
-    plotter.add_light(pv.Light(light_type="headlight", intensity=0.4))
-    plotter.camera_position = [(5.5, -8.5, 7), (0, -0.3, 0.5), (0, 0, 1)]
+    plotter.add_light(pv.Light(position=(-4, -4.5, 5), light_type="scene light", color="#fff0d8", intensity=0.85))
+    plotter.add_light(pv.Light(light_type="headlight", intensity=0.55))
+    plotter.camera_position = [(5.5, -10, 8.5), (0.2, 0, 0.3), (0, 0, 1)]
     plotter.enable_ssao(radius=0.7, bias=0.02, kernel_size=128)
 
     plotter.exact_shadows.enable(intensity=0.85)

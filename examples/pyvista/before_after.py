@@ -19,13 +19,13 @@ def build(**options):
         plotter.set_background("#f3ede4", all_renderers=False)
         plotter.add_mesh(knot(), color="#2f7f79", smooth_shading=True, specular=0.5, specular_power=40)
         plotter.add_mesh(pv.Plane(center=(0, 0, -1.8), i_size=80, j_size=80), color="#f3ede4")
-        for x, y, radius in [(-3.2, -2.4, 0.5), (3, -2.2, 0.7), (0, 0, 0.6)]:
+        for x, y, radius in [(-2.6, -2.9, 0.5), (2.5, -3.2, 0.7), (0, 0, 0.6)]:
             ball = pv.Sphere(center=(x, y, radius - 1.8), radius=radius, theta_resolution=60, phi_resolution=60)
             plotter.add_mesh(ball, color="#e07a3f", smooth_shading=True)
-        plotter.add_light(pv.Light(position=(-3, -4, 9), light_type="scene light", intensity=0.7), only_active=True)
-        plotter.add_light(pv.Light(light_type="headlight", intensity=0.35), only_active=True)
+        plotter.add_light(pv.Light(position=(-3, -4, 9), light_type="scene light", intensity=0.8), only_active=True)
+        plotter.add_light(pv.Light(light_type="headlight", intensity=0.45), only_active=True)
         plotter.add_text("enable()" if column else "plain", font_size=10, color="black")
-        plotter.camera_position = [(1, -15, 11), (0, 0, -0.6), (0, 0, 1)]
+        plotter.camera_position = [(1, -19, 15), (0.4, -0.2, -0.8), (0, 0, 1)]
 
     plotter.subplot(0, 1)
     plotter.exact_shadows.enable(intensity=0.85)

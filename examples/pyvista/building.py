@@ -38,12 +38,12 @@ def build(**options):
     plotter = pv.Plotter(lighting="none", **options)
     plotter.set_background("#dbe7f0", top="#a9c7e0")
     for mesh, color in house():
-        plotter.add_mesh(mesh, color=color)
-    plotter.add_mesh(block((-40, 50), (-40, 50), (-0.6, -0.2)), color="#9fb283")
-    sun = pv.Light(position=(-2.5, 6, 4.5), color="#fff0d2", light_type="scene light", intensity=0.75)
+        plotter.add_mesh(mesh, color=color, ambient=0.25)
+    plotter.add_mesh(block((-40, 50), (-40, 50), (-0.6, -0.2)), color="#9fb283", ambient=0.25)
+    sun = pv.Light(position=(-2.5, 6, 4.5), color="#fff0d2", light_type="scene light", intensity=0.85)
     plotter.add_light(sun)
-    plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
-    plotter.camera_position = [(8.5, -12, 7.5), (4.5, 2, 2.4), (0, 0, 1)]
+    plotter.add_light(pv.Light(light_type="headlight", intensity=0.75))
+    plotter.camera_position = [(9.5, -15, 9.5), (4.6, 2, 2.3), (0, 0, 1)]
 
     plotter.exact_shadows.enable(intensity=0.9)
     plotter.exact_shadows.outlines(width=1.2, color="#4a4540", creases=60)

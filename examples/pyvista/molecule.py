@@ -31,9 +31,9 @@ def build(pairs=22, **options):
             stick = pv.Line(end, middle).tube(radius=0.09, n_sides=24)
             plotter.add_mesh(stick, color=color, smooth_shading=True)
     plotter.add_mesh(pv.Plane(center=(3.5, 0, -1.7), i_size=60, j_size=60), color="white")
-    plotter.add_light(pv.Light(position=(6, -2, 9), focal_point=(3.5, 0, 0), light_type="scene light", intensity=0.7))
-    plotter.add_light(pv.Light(light_type="headlight", intensity=0.35))
-    plotter.camera_position = [(0.3, -9, 5.6), (3.5, 0, -0.35), (0, 0, 1)]
+    plotter.add_light(pv.Light(position=(2, -2, 9), focal_point=(3.5, 0, 0), light_type="scene light", intensity=0.8))
+    plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
+    plotter.camera_position = [(0.8, -10, 6.2), (3.75, 0, -0.5), (0, 0, 1)]
 
     plotter.exact_shadows.enable(intensity=0.85)
     return plotter

@@ -25,14 +25,14 @@ def bracket():
                                                                        (2, -1.4, 270)]]
     base = plate(np.vstack(corners), [((x, y), 0.25) for x in (-1.9, 1.9) for y in (-1.3, 1.3)], 0.35)
     ear = plate(np.vstack([arc((0, 2), 0.9, 0, 180), [[-0.9, 0, 0], [0.9, 0, 0]]]), [((0, 2), 0.5)], 0.35)
-    rib = plate(np.array([[0, 0, 0], [0.9, 0, 0], [0, 1.2, 0.0]]), [], 0.2)
+    rib = plate(np.array([[0, 0, 0], [0.75, 0, 0], [0, 1.2, 0]]), [], 0.2)
     parts = [base]
     for side in (-0.8, 0.8):
         upright = ear.rotate_x(90).translate((0, side + 0.175, 0.35))
         outside = 1 if side > 0 else -1
         parts += [upright, rib.rotate_x(90).rotate_z(90 * outside).translate(
             (0.1 * outside, side + outside * 0.175, 0.35))]
-    pin = pv.Cylinder(center=(0, 0, 2.35), direction=(0, 1, 0), radius=0.32, height=3, resolution=64)
+    pin = pv.Cylinder(center=(0, 0, 2.35), direction=(0, 1, 0), radius=0.47, height=3, resolution=64)
     return parts, pin.triangulate()
 
 
@@ -44,9 +44,9 @@ def build(**options):
         plotter.add_mesh(part, color="#7f9fbf", specular=0.2)
     plotter.add_mesh(pin, color="#d9a441", specular=0.4)
     plotter.add_mesh(pv.Plane(i_size=60, j_size=60), color="#eef1f4")
-    plotter.add_light(pv.Light(position=(4, -5, 9), light_type="scene light", intensity=0.65))
-    plotter.add_light(pv.Light(light_type="headlight", intensity=0.4))
-    plotter.camera_position = [(7, -6.5, 6), (0.1, 0, 1.0), (0, 0, 1)]
+    plotter.add_light(pv.Light(position=(-4, -5, 8), light_type="scene light", intensity=0.85))
+    plotter.add_light(pv.Light(light_type="headlight", intensity=0.5))
+    plotter.camera_position = [(6.5, -8, 6.5), (0.5, 0, 0.9), (0, 0, 1)]
 
     plotter.exact_shadows.enable(intensity=0.8)
     plotter.exact_shadows.outlines(width=2, creases=30)

@@ -20,7 +20,7 @@ def build(**options):
     for mesh in cage():
         plotter.add_mesh(mesh, color="#8c6b3f", specular=0.3)
     bulb = plotter.add_mesh(pv.Sphere(radius=0.12), color="#fff3c9", lighting=False)
-    for x, y, height in [(-1.9, 0.7, 1.2), (1.7, 1.2, 1.6), (1.2, -1.5, 0.8), (-1.1, -1.4, 0.5)]:
+    for x, y, height in [(-1.9, 0.7, 1.2), (1.6, 1.9, 1.6), (1.2, -1.5, 0.8), (-1.1, -1.4, 0.5)]:
         column = pv.Cylinder(center=(x, y, height / 2 - 1.2), direction=(0, 0, 1), radius=0.22, height=height)
         plotter.add_mesh(column, color="#a9bfb5", smooth_shading=True, split_sharp_edges=True)
     for center, normal in [((0, 0, -1.2), (0, 0, 1)), ((0, 3, 1), (0, -1, 0)), ((-3.2, 0, 1), (1, 0, 0))]:
@@ -30,7 +30,7 @@ def build(**options):
     lamp.cone_angle = 180  # a point light: it shines to all sides
     plotter.add_light(lamp)
     plotter.add_light(pv.Light(light_type="headlight", color="#8090c0", intensity=0.15))
-    plotter.camera_position = [(3.4, -5.2, 2.6), (-0.4, 0.4, 0.0), (0, 0, 1)]
+    plotter.camera_position = [(3.8, -6.0, 2.8), (-0.3, 0.4, 0.1), (0, 0, 1)]
 
     plotter.exact_shadows.enable()
     plotter.exact_shadows.shadow_pass.SetCasting(bulb, False)  # the light is within it

@@ -46,9 +46,9 @@ def build(**options):
     for y in (-1.4, 1.4):
         plotter.add_mesh(pv.Cube(center=(1.75, y, 0.3), x_length=0.6, y_length=0.6, z_length=0.6), color="#b9c7d6")
     plotter.add_mesh(pv.Plane(i_size=80, j_size=80), color="#dfe4ea")
-    plotter.add_light(pv.Light(position=(-3, -4, 8), light_type="scene light", intensity=0.7))
-    plotter.add_light(pv.Light(light_type="headlight", intensity=0.35))
-    plotter.camera_position = [(5.5, -8, 4.6), (0.7, 0, 1.35), (0, 0, 1)]
+    plotter.add_light(pv.Light(position=(-3, -4, 8), light_type="scene light", intensity=0.85))
+    plotter.add_light(pv.Light(light_type="headlight", intensity=0.5))
+    plotter.camera_position = [(6.5, -9.5, 7), (0.8, 0.2, 1.6), (0, 0, 1)]
 
     plotter.exact_shadows.enable(intensity=0.85)
     plotter.exact_shadows.outlines(width=1.5, color="#20242a", creases=50)

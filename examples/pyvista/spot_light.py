@@ -14,8 +14,8 @@ BISHOP = [(0.55, 0), (0.55, 0.15), (0.4, 0.28), (0.2, 0.7), (0.16, 1.3), (0.36, 
 
 def turned(profile):
     """The surface of a line turned about the axis."""
-    line = pv.lines_from_points(np.array([(radius, 0, height) for radius, height in profile]))
-    return line.extrude_rotate(resolution=90, capping=False).compute_normals(feature_angle=40, split_vertices=True)
+    points = np.array([(radius, 0, height) for radius, height in profile])
+    return pv.Spline(points, 150).extrude_rotate(resolution=90, capping=False)
 
 
 def build(**options):
@@ -30,9 +30,9 @@ def build(**options):
         spot.positional = True
         spot.cone_angle = 24
         spot.exponent = 4
-        spot.intensity = 0.85
+        spot.intensity = 0.6
         plotter.add_light(spot)
-    plotter.add_light(pv.Light(light_type="headlight", intensity=0.08))
+    plotter.add_light(pv.Light(light_type="headlight", intensity=0.1))
     plotter.camera_position = [(0.6, -8.5, 5.2), (0, 0.5, 0.7), (0, 0, 1)]
 
     plotter.exact_shadows.enable()

@@ -28,10 +28,9 @@ def build(**options):
         ring = pv.ParametricTorus(ringradius=1.9, crosssectionradius=0.06).rotate_x(65).rotate_z(angle)
         plotter.add_mesh(ring, color="#edae49", smooth_shading=True)
     plotter.add_mesh(pv.Plane(center=(0, 0, -2), i_size=60, j_size=60), color="#f4f1ea")
-    plotter.add_light(pv.Light(position=(-3, -3, 7), light_type="scene light", intensity=0.7))
-    plotter.add_light(pv.Light(light_type="headlight", intensity=0.35))
+    plotter.add_light(pv.Light(position=(-3, -3, 7), light_type="scene light", intensity=0.8))
+    plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
     plotter.camera_position = [(3, -8, 4.5), (0, 0, -0.45), (0, 0, 1)]
-    plotter.enable_depth_peeling(8)
 
     plotter.exact_shadows.enable(intensity=0.85)
     return plotter
