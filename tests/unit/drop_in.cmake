@@ -40,4 +40,5 @@ if(SHADOW_TEST_PYTHON AND VTKSHADOW_PYTHON_WRAPPED)
       ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python:$ENV{PYTHONPATH}"
       SKIP_REGULAR_EXPRESSION "there is no PyVista;there is no pyvista-render-passes")
   endforeach()
+  include(with_pyvista/gallery.cmake)
 endif()
