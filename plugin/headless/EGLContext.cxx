@@ -35,7 +35,7 @@ egl::Display openDisplay(unsigned int platform, egl::Device device)
   const Functions& functions = Functions::get();
   if (functions.hasClientExtension("EGL_KHR_display_reference"))
   {
-    // Ends with the last one who opened it.
+    // Others who end it end their reference.
     const egl::Attribute counted[] = {egl::TrackReferences, 1, egl::None};
     egl::Display display = functions.getPlatformDisplay(platform, device, counted);
     if (display != nullptr)

@@ -28,17 +28,13 @@ public:
 
 vtkStandardNewMacro(HeadlessInteractor);
 
+/// Of the window system that VTK was built for: its interactors ask no other.
 bool hasDisplay()
 {
-  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
-  {
-    const char* value = std::getenv(name);
-    if (value != nullptr && *value != '\0')
-    {
-      return true;
-    }
-  }
-  return false;
+  const vtkNew<vtkRenderWindowInteractor> interactor;
+  const char* value =
+      std::getenv(interactor->IsA("vtkWaylandRenderWindowInteractor") ? "WAYLAND_DISPLAY" : "DISPLAY");
+  return value != nullptr && *value != '\0';
 }
 
 /// VTK's windows draw by the GL that ours are told to: when one of EGL's goes, OSMesa's contexts draw no more.

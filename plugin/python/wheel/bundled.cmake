@@ -1,6 +1,6 @@
 # OpenMesh and GLM for a wheel, in place of find_package: targets of the same names, from the archives in sources.txt.
 #
-# pip fetches them into VTKSHADOW_SOURCES, unless they are there. Of OpenMesh the connectivity alone is needed.
+# pip fetches them into VTKSHADOW_SOURCES, unless they are there. Their sums are compared in either case. Of OpenMesh the connectivity alone is needed.
 set(VTKSHADOW_SOURCES ${PROJECT_BINARY_DIR}/sources CACHE PATH "Folder of the archives that a wheel has built in")
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
@@ -23,6 +23,11 @@ function(unpack_source name folder result)
   file(GLOB archive ${VTKSHADOW_SOURCES}/${name}-*.tar.gz)
   if(NOT archive)
     message(FATAL_ERROR "The archive of ${name} is not in VTKSHADOW_SOURCES=${VTKSHADOW_SOURCES}")
+  endif()
+  file(STRINGS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/sources.txt reviewed REGEX "^${name}==.*--hash=sha256:")
+  file(SHA256 "${archive}" sum)
+  if(NOT reviewed MATCHES "--hash=sha256:${sum}")
+    message(FATAL_ERROR "${archive} is not the archive of sources.txt (${reviewed}): its sum is ${sum}")
   endif()
   file(ARCHIVE_EXTRACT INPUT ${archive} DESTINATION ${unpacked} PATTERNS "${name}-*/${folder}/*")
   file(GLOB found ${unpacked}/${name}-*/${folder})

@@ -20,12 +20,12 @@ endif()
 
 if(VTKSHADOW_HEADLESS AND VTKSHADOW_PYTHON_WRAPPED)
   foreach(case renders_by_osmesa renders_by_egl renders_by_what_there_is vtk_first no_osmesa no_egl nothing_chosen
-      nothing_chosen_no_osmesa unknown_backend without_headless)
+      nothing_chosen_no_osmesa nothing_draws_beside_a_display unknown_backend without_headless)
     add_test(NAME package.Python_${case}
       COMMAND ${VTKSHADOW_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/python_import.py ${case})
     set_tests_properties(package.Python_${case} PROPERTIES
       LABELS unit FIXTURES_REQUIRED package TIMEOUT 120 SKIP_REGULAR_EXPRESSION "^SKIPPED"
-      ENVIRONMENT "PYTHONPATH=${package_prefix}/${VTKSHADOW_PYTHON_DESTINATION}")
+      ENVIRONMENT "PYTHONPATH=${package_prefix}/${VTKSHADOW_PYTHON_DESTINATION};DISPLAY=;WAYLAND_DISPLAY=")
   endforeach()
 endif()
 

@@ -39,6 +39,7 @@ std::vector<egl::Device> listDevices()
 class Program final : public EGLNeighbour
 {
 public:
+  /// @throws std::runtime_error where the platform does not draw
   Program(unsigned int platform, egl::Device device)
       : display(Functions::get().getPlatformDisplay(platform, device, nullptr))
   {
@@ -76,14 +77,26 @@ private:
   egl::Context context = nullptr;
 };
 
+std::unique_ptr<EGLNeighbour> openProgram(unsigned int platform, egl::Device device)
+{
+  try
+  {
+    return std::make_unique<Program>(platform, device);
+  }
+  catch (const std::runtime_error&)
+  {
+    return nullptr;
+  }
+}
+
 std::unique_ptr<EGLNeighbour> openDevice(int index)
 {
-  return std::make_unique<Program>(egl::PlatformDevice, listDevices()[static_cast<std::size_t>(index)]);
+  return openProgram(egl::PlatformDevice, listDevices()[static_cast<std::size_t>(index)]);
 }
 
 std::unique_ptr<EGLNeighbour> openSurfaceless(int /*unused*/)
 {
-  return std::make_unique<Program>(egl::PlatformSurfaceless, nullptr);
+  return openProgram(egl::PlatformSurfaceless, nullptr);
 }
 
 #ifdef SHADOW_HAS_VTK_EGL

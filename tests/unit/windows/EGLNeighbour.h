@@ -19,6 +19,7 @@ public:
 struct EGLNeighbourKind
 {
   std::string name;
+  /// @return nullptr where it does not draw, as a device that may not be used
   std::unique_ptr<EGLNeighbour> (*open)(int index);
   int index;
 };

@@ -81,20 +81,24 @@ protected:
 
 TEST_F(HeadlessNeighbours, AnyOrder_EachKeepsItsContext)
 {
-  const auto kinds = listEGLNeighbours();
-  if (kinds.empty())
+  int drawing = 0;
+  for (const EGLNeighbourKind& kind : listEGLNeighbours())
   {
-    GTEST_SKIP() << "EGL lists nothing to draw with";
-  }
-  for (const EGLNeighbourKind& kind : kinds)
-  {
+    bool draws = true;
     for (const std::string order : everyOrder)
     {
-      for (std::size_t step = 0; step < order.size(); ++step)
+      for (std::size_t step = 0; step < order.size() && draws; ++step)
       {
         this->take(order[step], kind);
+        draws = order[step] != 'O' || this->neighbour != nullptr;
         this->expectDrawn(kind.name + ", " + order.substr(0, step + 1));
       }
     }
+    drawing += draws ? 1 : 0;
+    this->scene.reset();
+  }
+  if (drawing == 0)
+  {
+    GTEST_SKIP() << "EGL lists nothing that draws";
   }
 }
