@@ -80,4 +80,15 @@ bool hasLinesOrPoints(vtkActor* actor, const std::vector<vtkPolyData*>& drawn)
                      { return polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() > 0; });
 }
 
+bool hasTubesOrSpheres(vtkActor* actor, const std::vector<vtkPolyData*>& drawn)
+{
+  vtkProperty* property = actor->GetProperty();
+  return std::any_of(drawn.begin(), drawn.end(),
+                     [&](vtkPolyData* polyData)
+                     {
+                       return (property->GetRenderLinesAsTubes() && polyData->GetNumberOfLines() > 0) ||
+                              (property->GetRenderPointsAsSpheres() && polyData->GetNumberOfVerts() > 0);
+                     });
+}
+
 } // namespace shadow

@@ -32,6 +32,9 @@ bool drawsLines(vtkActor* actor);
 /// Whether what VTK draws for an actor is not only its polygons.
 bool hasLinesOrPoints(vtkActor* actor, const std::vector<vtkPolyData*>& drawn);
 
+/// Whether some of its lines are drawn as tubes, or points as spheres: surfaces of which there are no polygons.
+bool hasTubesOrSpheres(vtkActor* actor, const std::vector<vtkPolyData*>& drawn);
+
 } // namespace shadow
 
 #endif

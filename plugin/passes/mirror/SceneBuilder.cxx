@@ -167,6 +167,10 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   transform->clearChildren();
   const std::vector<vtkPolyData*> drawn = this->surfaces.collect(actor, path, transform->matrix);
   placed.surfaces = drawn.size();
+  if (hasTubesOrSpheres(actor, drawn))
+  {
+    this->skip(actor, "its lines are drawn as tubes, or its points as spheres");
+  }
   for (vtkPolyData* polyData : drawn)
   {
     const std::size_t place = placed.shown.size();

@@ -202,6 +202,21 @@ TEST(PassDrawn, LinesBesidePolygons_AsInActorsOfTheirOwn)
   }
 }
 
+TEST(PassDrawn, TubesAndSpheres_AreSkippedWithAReason)
+{
+  for (const bool tubes : {true, false})
+  {
+    BallScene scene;
+    vtkProperty* property = scene.addPolyData(makeLine())->GetProperty();
+    property->SetRenderLinesAsTubes(tubes);
+    property->SetRenderPointsAsSpheres(tubes);
+    property->SetLineWidth(9.0f);
+    scene.window->Render();
+    EXPECT_EQ(skipped(scene.pass).find("drawn as tubes") != std::string::npos, tubes) << skipped(scene.pass);
+    EXPECT_EQ(scene.pass->GetStatus(), vtkShadowVolumePass::STATUS_OK);
+  }
+}
+
 TEST(PassDrawn, CompositeMapper_CastsAsItsBlocks)
 {
   BallScene scene;
