@@ -20,6 +20,7 @@
 #include <vtkSphereSource.h>
 #include <vtkTrivialProducer.h>
 
+#include "FirstFrames.h"
 #include "MovingLightScene.h"
 #include "SilhouetteFinder.h"
 #include "Timing.h"
@@ -255,6 +256,7 @@ int main(int argc, char** argv)
         ->Iterations(21)
         ->Unit(benchmark::kMillisecond);
   }
+  shadow::benchmarks::registerFirstFrames();
   for (const int method : {vtkShadowVolumePass::STENCIL_ZPASS, vtkShadowVolumePass::STENCIL_ZFAIL})
   {
     const std::string name = method == vtkShadowVolumePass::STENCIL_ZPASS ? "zpass" : "zfail";

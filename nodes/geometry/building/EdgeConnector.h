@@ -12,7 +12,8 @@
 namespace shadow
 {
 
-/// Connects triangles into a half-edge structure through OpenMesh and reads the edges off it.
+/// Connects triangles into a half-edge structure through OpenMesh and reads the edges off it. One by one, so that it
+/// can be told which of them do not fit: for meshes that pairSides() does not take.
 ///
 /// Uses OpenMesh's connectivity alone, without points or properties: 54 bytes a triangle. OpenMesh reports on
 /// the standard error stream when it cannot hold a triangle, so every triangle is tried beforehand.

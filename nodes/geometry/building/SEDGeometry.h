@@ -14,6 +14,7 @@
 #include "ClusterTree.h"
 #include "EdgeTable.h"
 #include "FacingBits.h"
+#include "ParallelFor.h"
 #include "PlaneBlock.h"
 #include "PreparedData.h"
 
@@ -53,6 +54,9 @@ struct SEDGeometryOptions
   /// over, so that what was made for it elsewhere fits but for positions, and edges are not looked for again
   /// where it has them: see isSameMeshMoved(). Needed during the call only.
   const SEDGeometry* previous = nullptr;
+
+  /// Threads for large meshes; what is built does not depend on them.
+  ParallelFor parallelFor = {};
 };
 
 /// What was found, dropped and split while the adjacency was built.
@@ -190,7 +194,7 @@ private:
   std::optional<glm::dvec4> commonPlane;
   std::shared_ptr<PreparedData> prepared = std::make_shared<PreparedData>();
   SEDGeometryReport report;
-  bool manifold = false; ///< no triangle had to be turned or cut off for OpenMesh to connect them
+  bool manifold = false; ///< no triangle had to be turned or cut off to be connected
   std::uint64_t topology = 0;
   std::uint64_t rasterOrder = 0;
 };
@@ -204,8 +208,8 @@ inline bool isSameMeshMoved(const SEDGeometry& one, const SEDGeometry& other)
   return one.getTopology() == other.getTopology();
 }
 
-/// Builds the adjacency of a triangle soup: weld, drop degenerate triangles, connect through OpenMesh,
-/// orient, compute planes.
+/// Builds the adjacency of a triangle soup: weld, drop degenerate triangles, connect, orient, compute
+/// planes.
 ///
 /// @param soup   taken by value so that its memory can be given back early
 /// @return       nothing when the input cannot be used (a point is NaN or infinite, an index is out of range,

@@ -10,6 +10,7 @@
 #include "GridOrigin.h"
 #include "ManifoldSplitter.h"
 #include "OutwardOrientation.h"
+#include "SidePairing.h"
 #include "TriangleOrder.h"
 #include "VertexWelder.h"
 
@@ -173,7 +174,7 @@ void SEDGeometryBuilder::orderTriangles()
     putInOrder(triangles, this->geometry.inputOrder);
     return;
   }
-  this->geometry.inputOrder = sortIntoPatches(triangles, this->geometry.positions);
+  this->geometry.inputOrder = sortIntoPatches(triangles, this->geometry.positions, this->options.parallelFor);
 }
 
 void SEDGeometryBuilder::setCopiesApart(const std::vector<std::uint8_t>& copies)
@@ -210,7 +211,7 @@ bool SEDGeometryBuilder::hasTrianglesOf(const SEDGeometry& other) const
 }
 
 /// Do the triangles, which are in the other mesh's order, run as its input's did, which could be connected as
-/// they were? @post then OpenMesh would find the same edges
+/// they were? @post then pairSides() would find the same edges
 bool SEDGeometryBuilder::isConnectedAs(const SEDGeometry& other) const
 {
   bool same = other.manifold;
@@ -235,40 +236,39 @@ void SEDGeometryBuilder::connect()
     this->geometry.manifold = true;
     return;
   }
-  // Most meshes are manifold already. The others are found out on the way and start again, cut and turned.
-  if (!this->connectManifold())
+  // Most meshes are manifold already. The others start again, cut and turned.
+  this->geometry.manifold = this->connectManifold();
+  if (!this->geometry.manifold)
   {
-    this->connectSplit();
+    this->split();
+    if (!this->connectManifold())
+    {
+      this->connectOneByOne();
+    }
   }
 }
 
 bool SEDGeometryBuilder::connectManifold()
 {
-  EdgeConnector connector(this->geometry.positions.size(), this->geometry.triangles.size());
-  for (const std::array<std::uint32_t, 3>& triangle : this->geometry.triangles)
-  {
-    if (!connector.add(triangle))
-    {
-      return false;
-    }
-  }
-  this->edges = connector.readEdges();
-  this->geometry.manifold = true;
-  return true;
+  return pairSides(this->geometry.triangles, this->geometry.positions.size(), this->options.parallelFor,
+                   this->edges);
 }
 
-void SEDGeometryBuilder::connectSplit()
+void SEDGeometryBuilder::split()
 {
   std::vector<glm::vec3>& positions = this->geometry.positions;
   SEDGeometryReport& report = this->geometry.report;
-  {
-    ManifoldSplitter splitter(this->geometry.triangles, positions);
-    splitter.run();
-    report.nonManifoldEdges = splitter.getNonManifoldEdges();
-    report.splitVertices += splitter.getSplitVertices();
-    this->flipped = splitter.getFlipped();
-  }
+  ManifoldSplitter splitter(this->geometry.triangles, positions);
+  splitter.run();
+  report.nonManifoldEdges = splitter.getNonManifoldEdges();
+  report.splitVertices += splitter.getSplitVertices();
+  this->flipped = splitter.getFlipped();
+}
 
+/// What even cut is no manifold, as fans that are apart may have an edge between the same two vertices each.
+void SEDGeometryBuilder::connectOneByOne()
+{
+  std::vector<glm::vec3>& positions = this->geometry.positions;
   EdgeConnector connector(positions.size(), this->geometry.triangles.size());
   for (std::array<std::uint32_t, 3>& triangle : this->geometry.triangles)
   {
@@ -281,7 +281,7 @@ void SEDGeometryBuilder::connectSplit()
     {
       positions.push_back(glm::vec3(positions[corner]));
       corner = connector.addVertex();
-      ++report.splitVertices;
+      ++this->geometry.report.splitVertices;
     }
     connector.add(triangle);
   }

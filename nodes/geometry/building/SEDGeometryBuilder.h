@@ -32,7 +32,8 @@ private:
   void setCopiesApart(const std::vector<std::uint8_t>& copies);
   void connect();
   bool connectManifold();
-  void connectSplit();
+  void split();
+  void connectOneByOne();
   void countEdgesAndBounds();
   void computePlanes();
   void makeClusters();
@@ -43,7 +44,13 @@ private:
   bool hasTrianglesOf(const SEDGeometry& other) const;
   bool isConnectedAs(const SEDGeometry& other) const;
   bool isMoved(const SEDGeometry& other) const;
-  void finishTriangle(std::uint32_t triangle);
+  /// What is known of all triangles once each is finished.
+  struct PlaneTotals
+  {
+    std::size_t zeroArea = 0;
+    double sharpness = 0.0;
+  };
+  void finishTriangle(std::uint32_t triangle, PlaneTotals& totals);
 
   SEDGeometryOptions options;
   SEDGeometry geometry;

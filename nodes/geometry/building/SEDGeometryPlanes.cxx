@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "Revision.h"
@@ -55,14 +56,24 @@ void SEDGeometryBuilder::computePlanes()
   this->geometry.planeBlocks.resize((count + PlaneBlock::triangles - 1) / PlaneBlock::triangles);
   this->geometry.reversed.assign(count);
   this->geometry.inputReversed.assign(count);
-  for (std::uint32_t triangle = 0; triangle < count; ++triangle)
-  {
-    this->finishTriangle(triangle);
-  }
+  constexpr std::size_t grain = 256 * PlaneBlock::triangles; // no two threads write bits of one word
+  std::mutex totalling;
+  forRanges(this->options.parallelFor, count, grain,
+            [&](std::size_t begin, std::size_t end)
+            {
+              PlaneTotals totals;
+              for (std::size_t triangle = begin; triangle < end; ++triangle)
+              {
+                this->finishTriangle(static_cast<std::uint32_t>(triangle), totals);
+              }
+              const std::lock_guard<std::mutex> lock(totalling);
+              this->geometry.report.zeroAreaTriangles += totals.zeroArea;
+              this->geometry.sharpness = std::max(this->geometry.sharpness, totals.sharpness);
+            });
 }
 
 /// Raster order and plane.
-void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle)
+void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle, PlaneTotals& totals)
 {
   std::array<std::uint32_t, 3>& corners = this->geometry.triangles[triangle];
   const std::vector<glm::vec3>& positions = this->geometry.positions;
@@ -88,7 +99,7 @@ void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle)
   const double largest = largestMagnitude(plane.normal);
   if (largest == 0.0)
   {
-    ++this->geometry.report.zeroAreaTriangles;
+    ++totals.zeroArea;
     return;
   }
   // With eps = 2^-53 and P the largest |u.i v.j| + |u.j v.i|: a normal's coordinate is off by 4 eps P, the
@@ -104,8 +115,8 @@ void SEDGeometryBuilder::finishTriangle(std::uint32_t triangle)
   }
   const double factor = 1.0 / glm::length(plane.normal);
   const glm::dvec3 sides = glm::abs(u) + glm::abs(v);
-  this->geometry.sharpness =
-      std::max(this->geometry.sharpness, (sides.x + sides.y + sides.z) * factor * this->geometry.reach);
+  totals.sharpness =
+      std::max(totals.sharpness, (sides.x + sides.y + sides.z) * factor * this->geometry.reach);
   this->geometry.planeBlocks[triangle / PlaneBlock::triangles].set(
       triangle % PlaneBlock::triangles, plane.normal * factor, plane.offset * factor / this->geometry.reach);
 }
@@ -116,7 +127,7 @@ void SEDGeometryBuilder::makeClusters()
   std::vector<Edge>().swap(this->edges);
   this->geometry.clusterTree =
       ClusterTree(this->geometry.planeBlocks, this->geometry.edgeTable, this->geometry.triangles,
-                  this->geometry.positions, this->geometry.reach);
+                  this->geometry.positions, this->geometry.reach, this->options.parallelFor);
 }
 
 void SEDGeometryBuilder::findCommonPlane()

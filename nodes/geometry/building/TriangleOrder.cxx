@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "PlaneBlock.h"
 
@@ -35,13 +36,10 @@ int findWidestAxis(const Item* first, const Item* last)
   return extent.z > extent[wider] ? 2 : wider;
 }
 
-void sortRange(Item* first, Item* last)
+/// Puts those on one side before those on the other. @return  the first of the second half
+Item* halve(Item* first, Item* last)
 {
   const auto count = static_cast<std::size_t>(last - first);
-  if (count <= patchSize)
-  {
-    return;
-  }
   std::size_t half = patchSize;
   while (2 * half < count)
   {
@@ -53,14 +51,61 @@ void sortRange(Item* first, Item* last)
                      return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
                                                              : a.triangle < b.triangle;
                    });
-  sortRange(first, first + half);
-  sortRange(first + half, last);
+  return first + half;
+}
+
+bool isPatch(const Item* first, const Item* last)
+{
+  return static_cast<std::size_t>(last - first) <= patchSize;
+}
+
+void sortRange(Item* first, Item* last)
+{
+  if (!isPatch(first, last))
+  {
+    Item* middle = halve(first, last);
+    sortRange(first, middle);
+    sortRange(middle, last);
+  }
+}
+
+/// Level by level while ranges are few and long, each range then by itself.
+void sortInParallel(std::vector<Item>& items, const ParallelFor& parallelFor)
+{
+  constexpr std::size_t longest = 1 << 15;
+  using Range = std::pair<Item*, Item*>;
+  std::vector<Range> ranges = {{items.data(), items.data() + items.size()}};
+  for (std::size_t length = items.size(); length > longest; length /= 2)
+  {
+    std::vector<Range> halves(2 * ranges.size());
+    forRanges(parallelFor, ranges.size(), 1,
+              [&](std::size_t begin, std::size_t end)
+              {
+                for (std::size_t range = begin; range < end; ++range)
+                {
+                  const auto [first, last] = ranges[range];
+                  Item* middle = isPatch(first, last) ? last : halve(first, last);
+                  halves[2 * range] = {first, middle};
+                  halves[2 * range + 1] = {middle, last};
+                }
+              });
+    ranges.swap(halves);
+  }
+  forRanges(parallelFor, ranges.size(), 1,
+            [&ranges](std::size_t begin, std::size_t end)
+            {
+              for (std::size_t range = begin; range < end; ++range)
+              {
+                sortRange(ranges[range].first, ranges[range].second);
+              }
+            });
 }
 
 } // namespace
 
 std::vector<std::uint32_t> sortIntoPatches(std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                           const std::vector<glm::vec3>& positions)
+                                           const std::vector<glm::vec3>& positions,
+                                           const ParallelFor& parallelFor)
 {
   std::vector<Item> items;
   items.reserve(triangles.size());
@@ -71,7 +116,7 @@ std::vector<std::uint32_t> sortIntoPatches(std::vector<std::array<std::uint32_t,
         {positions[corners[0]] / 3.0f + positions[corners[1]] / 3.0f + positions[corners[2]] / 3.0f,
          static_cast<std::uint32_t>(items.size())});
   }
-  sortRange(items.data(), items.data() + items.size());
+  sortInParallel(items, parallelFor);
   std::vector<std::uint32_t> order;
   order.reserve(items.size());
   for (const Item& item : items)

@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include "ParallelFor.h"
+
 namespace shadow
 {
 
@@ -21,7 +23,8 @@ namespace shadow
 /// while it runs
 /// @par Source  Bentley 1975, "Multidimensional Binary Search Trees Used for Associative Searching"
 std::vector<std::uint32_t> sortIntoPatches(std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                           const std::vector<glm::vec3>& positions);
+                                           const std::vector<glm::vec3>& positions,
+                                           const ParallelFor& parallelFor = {});
 
 /// Puts triangles in an order that sortIntoPatches() has returned.
 ///

@@ -9,6 +9,7 @@
 
 #include "EdgeTable.h"
 #include "FacingBits.h"
+#include "ParallelFor.h"
 #include "PlaneBlock.h"
 #include "PlaneKernel.h"
 #include "ScaledLight.h"
@@ -38,7 +39,7 @@ public:
   /// @par Cost  O(triangles)
   ClusterTree(const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
               const std::vector<std::array<std::uint32_t, 3>>& triangles,
-              const std::vector<glm::vec3>& positions, double reach);
+              const std::vector<glm::vec3>& positions, double reach, const ParallelFor& parallelFor = {});
 
   /// Quarters of one word.
   struct Quarters
@@ -86,7 +87,7 @@ private:
   struct Bounds;
   struct Walk;
 
-  void boundClusters(const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
+  void boundClusters(std::size_t word, const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
                      const std::vector<std::array<std::uint32_t, 3>>& triangles,
                      const std::vector<glm::vec3>& positions, double reach);
   std::size_t boundLevel(std::size_t level, std::size_t children);

@@ -82,7 +82,8 @@ struct ClusterTree::Bounds
 
 ClusterTree::ClusterTree(const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
                          const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                         const std::vector<glm::vec3>& positions, double reach)
+                         const std::vector<glm::vec3>& positions, double reach,
+                         const ParallelFor& parallelFor)
     : words(planes.size()), clusters((triangles.size() + PlaneBlock::quarter - 1) / PlaneBlock::quarter)
 {
   std::size_t nodes = this->clusters;
@@ -91,7 +92,15 @@ ClusterTree::ClusterTree(const std::vector<PlaneBlock>& planes, const EdgeTable&
     this->levels.emplace_back((nodes + fan - 1) / fan);
     nodes = this->levels.back().size();
   } while (nodes > 1);
-  this->boundClusters(planes, edges, triangles, positions, reach);
+  constexpr std::size_t grain = 256; // words; of whole groups
+  forRanges(parallelFor, this->words, grain,
+            [&](std::size_t begin, std::size_t end)
+            {
+              for (std::size_t word = begin; word < end; ++word)
+              {
+                this->boundClusters(word, planes, edges, triangles, positions, reach);
+              }
+            });
   nodes = this->clusters;
   for (std::size_t level = 1; level < this->levels.size(); ++level)
   {
@@ -99,45 +108,41 @@ ClusterTree::ClusterTree(const std::vector<PlaneBlock>& planes, const EdgeTable&
   }
 }
 
-void ClusterTree::boundClusters(const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
+/// Of the quarters of one word.
+void ClusterTree::boundClusters(std::size_t word, const std::vector<PlaneBlock>& planes, const EdgeTable& edges,
                                 const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                 const std::vector<glm::vec3>& positions, double reach)
 {
   const auto add = [&planes](Bounds& bounds, std::size_t triangle)
   { bounds.add(planes[triangle / PlaneBlock::triangles], triangle % PlaneBlock::triangles); };
   std::array<Bounds, quartersOfWord> ofWord;
-  for (std::size_t word = 0; word < this->words; ++word)
+  const std::size_t first = quartersOfWord * word;
+  const std::size_t end = std::min(first + quartersOfWord, this->clusters);
+  for (std::size_t cluster = first; cluster < end; ++cluster)
   {
-    const std::size_t first = quartersOfWord * word;
-    const std::size_t end = std::min(first + quartersOfWord, this->clusters);
-    for (std::size_t cluster = first; cluster < end; ++cluster)
+    const std::size_t begin = PlaneBlock::quarter * cluster;
+    const std::size_t behind = std::min(begin + PlaneBlock::quarter, triangles.size());
+    Bounds& bounds = ofWord[cluster - first];
+    bounds.centre = findCentre(begin, behind, triangles, positions, reach);
+    for (std::size_t triangle = begin; triangle < behind; ++triangle)
     {
-      const std::size_t begin = PlaneBlock::quarter * cluster;
-      const std::size_t behind = std::min(begin + PlaneBlock::quarter, triangles.size());
-      Bounds& bounds = ofWord[cluster - first];
-      bounds = Bounds();
-      bounds.centre = findCentre(begin, behind, triangles, positions, reach);
-      for (std::size_t triangle = begin; triangle < behind; ++triangle)
-      {
-        add(bounds, triangle);
-      }
+      add(bounds, triangle);
     }
-    // What lies across the edges.
-    const EdgeTable::Record record = edges.getRecord(word);
-    for (std::size_t inner = 0; inner < record.inner; ++inner)
-    {
-      add(ofWord[EdgeTable::triangleOf(record.innerFirst[inner]) / PlaneBlock::quarter],
-          PlaneBlock::triangles * word + EdgeTable::triangleOf(record.innerSecond[inner]));
-    }
-    for (std::size_t outer = 0; outer < record.outer; ++outer)
-    {
-      add(ofWord[EdgeTable::triangleOf(record.outerFirst[outer]) / PlaneBlock::quarter],
-          record.outerSecond[outer]);
-    }
-    for (std::size_t cluster = first; cluster < end; ++cluster)
-    {
-      this->store(0, cluster, ofWord[cluster - first]);
-    }
+  }
+  // What lies across the edges.
+  const EdgeTable::Record record = edges.getRecord(word);
+  for (std::size_t inner = 0; inner < record.inner; ++inner)
+  {
+    add(ofWord[EdgeTable::triangleOf(record.innerFirst[inner]) / PlaneBlock::quarter],
+        PlaneBlock::triangles * word + EdgeTable::triangleOf(record.innerSecond[inner]));
+  }
+  for (std::size_t outer = 0; outer < record.outer; ++outer)
+  {
+    add(ofWord[EdgeTable::triangleOf(record.outerFirst[outer]) / PlaneBlock::quarter], record.outerSecond[outer]);
+  }
+  for (std::size_t cluster = first; cluster < end; ++cluster)
+  {
+    this->store(0, cluster, ofWord[cluster - first]);
   }
 }
 

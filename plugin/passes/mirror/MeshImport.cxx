@@ -1,5 +1,6 @@
 #include "MeshImport.h"
 
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -9,6 +10,26 @@ namespace shadow
 
 namespace
 {
+
+/// Without a virtual call for each where points are stored as most are.
+void importPoints(vtkPoints* points, std::vector<glm::dvec3>& imported)
+{
+  imported.resize(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(points->GetData()))
+  {
+    const float* coordinate = floats->GetPointer(0);
+    for (glm::dvec3& point : imported)
+    {
+      point = {coordinate[0], coordinate[1], coordinate[2]};
+      coordinate += 3;
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < imported.size(); ++i)
+  {
+    points->GetPoint(static_cast<vtkIdType>(i), &imported[i].x);
+  }
+}
 
 void importPolygons(vtkCellArray* cells, std::vector<std::array<std::uint32_t, 3>>& triangles)
 {
@@ -50,12 +71,7 @@ TriangleSoup importTriangles(vtkPolyData* polyData)
   {
     return soup;
   }
-  const vtkIdType pointCount = points->GetNumberOfPoints();
-  soup.points.resize(static_cast<std::size_t>(pointCount));
-  for (vtkIdType i = 0; i < pointCount; ++i)
-  {
-    points->GetPoint(i, &soup.points[static_cast<std::size_t>(i)].x);
-  }
+  importPoints(points, soup.points);
   vtkCellArray* polygons = polyData->GetPolys();
   vtkCellArray* strips = polyData->GetStrips();
   const vtkIdType corners = polygons->GetNumberOfConnectivityIds() + strips->GetNumberOfConnectivityIds();

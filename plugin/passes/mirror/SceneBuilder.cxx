@@ -1,8 +1,6 @@
 #include "SceneBuilder.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -18,26 +16,11 @@
 #include <vtkRenderer.h>
 
 #include "ActorTraits.h"
-#include "MeshImport.h"
 #include "MovedVertices.h"
 #include "SweepUnused.h"
 
 namespace shadow
 {
-
-namespace
-{
-
-/// Two roundings of single precision, for a coordinate as large as the mesh: what sin(2 pi) misses 0 by,
-/// times its radius, is less.
-double chooseWeldTolerance(vtkPolyData* polyData, const SceneBuilder::Settings& settings)
-{
-  constexpr double rounding = 2.0 * std::numeric_limits<float>::epsilon();
-  const double size = settings.weldsRounding ? polyData->GetLength() : 0.0;
-  return std::max(settings.weldTolerance, std::isfinite(size) ? rounding * size : 0.0);
-}
-
-} // namespace
 
 bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group& root)
 {
@@ -47,6 +30,9 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
   this->mappersOfOthers.clear();
   this->skipped.clear();
   this->errors.clear();
+  this->errorsByPlacement.clear();
+  this->placements.clear();
+  this->currentPlacement = 0;
   this->triangles = 0;
   this->seenThrough = false;
   this->moreDrawn = false;
@@ -64,14 +50,16 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
     this->propNumber += 1;
     if (prop->GetVisibility() != 0)
     {
-      this->addProp(prop, settings, root);
+      this->addProp(prop, settings);
     }
   }
+  this->meshes.build();
+  this->show(settings, root);
   this->dropUnused();
   return this->mirrored != mirroredBefore || this->mappersOfOthers != mappersBefore;
 }
 
-void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
+void SceneBuilder::addProp(vtkProp* prop, const Settings& settings)
 {
   prop->InitPathTraversal();
   while (vtkAssemblyPath* assemblyPath = prop->GetNextPath())
@@ -93,13 +81,11 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
     }
     if (actor != nullptr && actor->GetMapper() != nullptr)
     {
-      this->addActor(actor, path, assemblyPath, settings, root);
-      if (this->mirrored.count(actor) == 0)
-      {
-        this->mappersOfOthers.insert(actor->GetMapper());
-        this->moreDrawn = this->moreDrawn || actor->HasOpaqueGeometry() != 0;
-        this->noteLines(actor, drawsLines(actor));
-      }
+      Placement placement;
+      placement.actor = actor;
+      this->addActor(placement, path, assemblyPath, settings);
+      this->placements.push_back(std::move(placement));
+      this->currentPlacement += 1;
       continue;
     }
     this->moreDrawn = this->moreDrawn || mayBeOpaque(path.back());
@@ -110,9 +96,10 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
   }
 }
 
-void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath,
-                            const Settings& settings, Group& root)
+void SceneBuilder::addActor(Placement& placement, const PropPath& path, vtkAssemblyPath* assemblyPath,
+                            const Settings& settings)
 {
+  vtkActor* actor = placement.actor;
   vtkMapper* mapper = actor->GetMapper();
   if (mapper->GetNumberOfInputConnections(0) == 0 && mapper->GetInputDataObject(0, 0) == nullptr)
   {
@@ -162,25 +149,67 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     this->refuse(transform->name, reason, settings);
     return;
   }
-  const std::vector<std::shared_ptr<SEDGeode>> shownBefore = std::move(placed.shown);
-  placed.shown.clear();
-  transform->clearChildren();
   const std::vector<vtkPolyData*> drawn = this->surfaces.collect(actor, path, transform->matrix);
   placed.surfaces = drawn.size();
   if (hasTubesOrSpheres(actor, drawn))
   {
     this->skip(actor, "its lines are drawn as tubes, or its points as spheres");
   }
-  for (vtkPolyData* polyData : drawn)
+  const MeshStore::Options options{settings.weldTolerance, settings.weldsRounding, settings.copiesCountOnce};
+  for (std::size_t place = 0; place < drawn.size(); ++place)
   {
-    const std::size_t place = placed.shown.size();
-    const std::shared_ptr<SEDGeode> geode = this->getGeode(
-        polyData, place < shownBefore.size() ? shownBefore[place] : nullptr, settings, transform->name);
-    placed.shown.push_back(geode);
-    if (geode != nullptr)
+    this->meshes.request(drawn[place], place < placed.shown.size() ? placed.shown[place] : nullptr, options);
+  }
+  placement.placed = &placed;
+  placement.hasLines = hasLinesOrPoints(actor, drawn);
+  placement.drawn.assign(drawn.begin(), drawn.end());
+}
+
+/// What has been placed, in the same order, with meshes.
+void SceneBuilder::show(const Settings& settings, Group& root)
+{
+  this->currentPlacement = 0;
+  for (const Placement& placement : this->placements)
+  {
+    vtkActor* actor = placement.actor;
+    if (placement.placed != nullptr)
     {
-      transform->addChild(geode);
-      this->triangles += geode->getGeometry().getReport().inputTriangles;
+      this->showActor(placement, settings, root);
+    }
+    if (this->mirrored.count(actor) == 0)
+    {
+      this->mappersOfOthers.insert(actor->GetMapper());
+      this->moreDrawn = this->moreDrawn || actor->HasOpaqueGeometry() != 0;
+      this->noteLines(actor, drawsLines(actor));
+    }
+    this->currentPlacement += 1;
+  }
+  this->placements.clear();
+  for (auto& [place, error] : this->errorsByPlacement)
+  {
+    this->errors.push_back(std::move(error));
+  }
+}
+
+void SceneBuilder::showActor(const Placement& placement, const Settings& settings, Group& root)
+{
+  vtkActor* actor = placement.actor;
+  PlacedActor& placed = *placement.placed;
+  const std::shared_ptr<Transform>& transform = placed.transform;
+  placed.shown.clear();
+  transform->clearChildren();
+  for (vtkPolyData* polyData : placement.drawn)
+  {
+    const MeshStore::Mesh& mesh = this->meshes.get(polyData);
+    placed.shown.push_back(mesh.geode);
+    if (mesh.geode != nullptr)
+    {
+      transform->addChild(mesh.geode);
+      this->triangles += mesh.geode->getGeometry().getReport().inputTriangles;
+    }
+    if (!mesh.error.empty())
+    {
+      this->refuse(transform->name, mesh.error, settings);
     }
   }
   if (!transform->getChildren().empty())
@@ -193,47 +222,9 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
     }
     this->seenThrough = this->seenThrough || letsThrough(actor);
     const auto unusable = std::count(placed.shown.begin(), placed.shown.end(), nullptr);
-    const bool hasLines = hasLinesOrPoints(actor, drawn);
-    this->moreDrawn = this->moreDrawn || unusable > 0 || hasLines;
-    this->noteLines(actor, hasLines || actor->GetProperty()->GetEdgeVisibility() != 0);
+    this->moreDrawn = this->moreDrawn || unusable > 0 || placement.hasLines;
+    this->noteLines(actor, placement.hasLines || actor->GetProperty()->GetEdgeVisibility() != 0);
   }
-}
-
-std::shared_ptr<SEDGeode> SceneBuilder::getGeode(vtkPolyData* polyData,
-                                                 const std::shared_ptr<SEDGeode>& shownBefore,
-                                                 const Settings& settings, const std::string& name)
-{
-  Mesh& mesh = this->meshes[polyData];
-  mesh.used = true;
-  // GetMTime() covers points and cells as well as a call of Modified() on the data set after a change in
-  // place.
-  const vtkMTimeType time = polyData->GetMTime();
-  const double weldTolerance = chooseWeldTolerance(polyData, settings);
-  if (mesh.polyData != polyData || mesh.time != time || mesh.weldTolerance != weldTolerance)
-  {
-    mesh.polyData = polyData;
-    mesh.time = time;
-    mesh.weldTolerance = weldTolerance;
-    const std::shared_ptr<SEDGeode> previous = mesh.geode != nullptr ? std::move(mesh.geode) : shownBefore;
-    mesh.geode.reset();
-    mesh.error.clear();
-    TriangleSoup soup = importTriangles(polyData);
-    if (!soup.triangles.empty())
-    {
-      const SEDGeometryOptions options{weldTolerance, settings.copiesCountOnce,
-                                       previous != nullptr ? &previous->getGeometry() : nullptr};
-      std::optional<SEDGeometry> geometry = buildSEDGeometry(std::move(soup), options, mesh.error);
-      if (geometry)
-      {
-        mesh.geode = std::make_shared<SEDGeode>(std::make_shared<const SEDGeometry>(std::move(*geometry)));
-      }
-    }
-  }
-  if (!mesh.error.empty())
-  {
-    this->refuse(name, mesh.error, settings);
-  }
-  return mesh.geode;
 }
 
 bool SceneBuilder::isMirrored(vtkProp* prop) const
@@ -270,7 +261,8 @@ void SceneBuilder::noteLines(vtkActor* actor, bool hasLines)
 void SceneBuilder::refuse(const std::string& name, const std::string& reason, const Settings& settings)
 {
   this->skipped.insert({name, reason});
-  this->errors.push_back(name + " has no " + settings.product + ": " + reason);
+  this->errorsByPlacement.emplace(this->currentPlacement,
+                                  name + " has no " + settings.product + ": " + reason);
 }
 
 std::string SceneBuilder::describe(vtkProp* prop) const
@@ -285,29 +277,9 @@ void SceneBuilder::skip(vtkProp* prop, const std::string& reason)
 
 void SceneBuilder::dropUnused()
 {
-  sweepUnused(this->meshes);
+  this->meshes.dropUnused();
   sweepUnused(this->transforms);
   this->surfaces.dropUnused();
-  for (auto& entry : this->meshes)
-  {
-    if (entry.second.geode != nullptr)
-    {
-      entry.second.geode->dropUnusedPaths();
-    }
-  }
-}
-
-std::size_t SceneBuilder::getMemorySize() const
-{
-  std::size_t bytes = 0;
-  for (const auto& entry : this->meshes)
-  {
-    if (entry.second.geode != nullptr)
-    {
-      bytes += entry.second.geode->getGeometry().getMemorySize() + entry.second.geode->getMemorySize();
-    }
-  }
-  return bytes;
 }
 
 } // namespace shadow

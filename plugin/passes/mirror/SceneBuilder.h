@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include <vtkType.h>
-#include <vtkWeakPointer.h>
+#include <vtkSmartPointer.h>
 
 #include "CasterCuller.h"
 #include "DrawnSurfaces.h"
+#include "MeshStore.h"
 #include "SEDGeode.h"
 
 class vtkActor;
@@ -84,18 +84,9 @@ public:
   std::size_t getTriangles() const { return this->triangles; }
 
   /// Bytes of adjacency and volumes.
-  std::size_t getMemorySize() const;
+  std::size_t getMemorySize() const { return this->meshes.getMemorySize(); }
 
 private:
-  struct Mesh
-  {
-    vtkWeakPointer<vtkPolyData> polyData; ///< guards against another data set at the same address
-    vtkMTimeType time = 0;
-    double weldTolerance = 0.0;
-    std::shared_ptr<SEDGeode> geode; ///< none when the data cannot be used
-    std::string error;
-    bool used = false;
-  };
   struct PlacedActor
   {
     std::shared_ptr<Transform> transform = std::make_shared<Transform>();
@@ -103,27 +94,40 @@ private:
     std::size_t surfaces = 0;                     ///< that VTK draws, those that cannot be used too
     bool used = false;
   };
+  /// An actor in one place, until its meshes are built.
+  struct Placement
+  {
+    vtkActor* actor = nullptr;
+    PlacedActor* placed = nullptr;                   ///< nullptr when it has no place in the graph
+    std::vector<vtkSmartPointer<vtkPolyData>> drawn; ///< what has been asked for
+    bool hasLines = false;                           ///< among what is drawn
+  };
 
-  void addProp(vtkProp* prop, const Settings& settings, Group& root);
-  void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath,
-                const Settings& settings, Group& root);
-  /// @param shownBefore  in the same place the last time, perhaps the same mesh at an earlier time; or
-  /// nullptr
-  std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const std::shared_ptr<SEDGeode>& shownBefore,
-                                     const Settings& settings, const std::string& name);
+  /// @name Stages: all actors are found, then meshes built, then the graph is made
+  /// @{
+  void addProp(vtkProp* prop, const Settings& settings);
+  void addActor(Placement& placement, const PropPath& path, vtkAssemblyPath* assemblyPath,
+                const Settings& settings);
+  void show(const Settings& settings, Group& root);
+  void showActor(const Placement& placement, const Settings& settings, Group& root);
+  /// @}
+
   void noteLines(vtkActor* actor, bool hasLines);
   void refuse(const std::string& name, const std::string& reason, const Settings& settings);
   std::string describe(vtkProp* prop) const; ///< class and place among the renderer's props
   void skip(vtkProp* prop, const std::string& reason);
   void dropUnused();
 
-  std::map<vtkPolyData*, Mesh> meshes;
+  MeshStore meshes;
   DrawnSurfaces surfaces;
   std::map<PropPath, PlacedActor> transforms;
   std::set<vtkProp*> mirrored;
   std::set<vtkMapper*> mappersOfOthers; ///< of actors that are not mirrored
   std::set<CasterCuller::Skipped> skipped;
   std::vector<std::string> errors;
+  std::multimap<std::size_t, std::string> errorsByPlacement; ///< in the order of props, whenever they were met
+  std::vector<Placement> placements;
+  std::size_t currentPlacement = 0;
   std::size_t triangles = 0;
   bool seenThrough = false;
   bool moreDrawn = false;
