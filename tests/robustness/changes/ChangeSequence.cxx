@@ -39,7 +39,7 @@ SequenceResult runSequence(std::uint64_t seed, std::uint64_t number, int changes
       change.apply(scene, random);
       since += (since.empty() ? "change " : "; ") + std::to_string(i) + ": " + change.name;
     }
-    const truth::DrawnShadows drawn = drawShadows(scene.window, scene.pass);
+    const truth::DrawnShadows drawn = truth::drawShadows(scene.window, scene.pass);
     result.changes = i;
     result.lights += scene.pass->GetNumberOfShadowLights();
     result.keptLights += scene.pass->GetNumberOfKeptLights();
@@ -48,7 +48,7 @@ SequenceResult runSequence(std::uint64_t seed, std::uint64_t number, int changes
       continue;
     }
     ++result.checks;
-    const std::string differences = tellDifferences(drawn, drawByNewPass(scene.window, scene.pass));
+    const std::string differences = truth::tellDifferences(drawn, truth::drawByNewPass(scene.window, scene.pass));
     result.fault = differences.empty() ? "" : since + "\n" + differences;
     since.clear();
     untilCheck = random.integer(0, mostBetweenChecks - 1);
