@@ -99,6 +99,12 @@ std::vector<Change> listViewChanges()
           {"camera", changeCamera},
           {"window's size",
            [](ChangingScene& s, FuzzRandom& r) { s.window->SetSize(r.integer(50, 80), r.integer(40, 60)); }},
+          {"window's size in the same shape",
+           [](ChangingScene& s, FuzzRandom& r)
+           {
+             const int scale = r.integer(9, 20);
+             s.window->SetSize(4 * scale, 3 * scale);
+           }},
           {"viewport",
            [](ChangingScene& s, FuzzRandom& r)
            { s.renderer->SetViewport(r.between(0.0, 0.2), 0.0, r.between(0.4, 0.5), r.between(0.6, 1.0)); }},

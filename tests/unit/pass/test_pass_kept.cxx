@@ -13,6 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkTexture.h>
 
+#include "ExcludingCuller.h"
 #include "KeptScene.h"
 
 using namespace shadow::test;
@@ -127,6 +128,14 @@ std::vector<Change> listSceneChanges()
       {"camera", 0, [](KeptScene& s) { s.renderer->GetActiveCamera()->Azimuth(10.0); }},
       {"parallel view", 0, [](KeptScene& s) { s.renderer->GetActiveCamera()->ParallelProjectionOn(); }},
       {"window's size", 0, [](KeptScene& s) { s.window->SetSize(70, 80); }},
+      {"window's size in the same shape", 0, [](KeptScene& s) { s.window->SetSize(180, 140); }},
+      {"left out by VTK's cullers", 0,
+       [](KeptScene& s)
+       {
+         vtkNew<ExcludingCuller> culler;
+         culler->excluded = s.ball;
+         s.renderer->AddCuller(culler);
+       }},
       {"viewport", 0, [](KeptScene& s) { s.renderer->SetViewport(0.2, 0.0, 0.9, 0.8); }},
       {"samples", 0, [](KeptScene& s) { s.pass->SetSamples(4); }},
       {"point light moved", 2, [](KeptScene& s) { s.lights[0]->SetPosition(0.5, 4.0, 1.5); }},
