@@ -1,6 +1,6 @@
 //VTK::System::Dec
-// kept.frag - bits that are kept of the mask before. Drawn by nodes/drawable/surfaces/ShadowTarget, combined by logical
-// AND with what is there.
+// kept.frag - bits that are kept of the mask before. Drawn by nodes/drawable/surfaces/ShadowTarget, combined by
+// logical AND with what is there.
 // unif maskBefore  usampler2D; or usampler2DMS
 // unif keptBits    int  bits that are kept where they are
 // unif moves       int  how many are kept in another place:

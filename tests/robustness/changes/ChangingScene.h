@@ -7,6 +7,7 @@
 #include <vtkAssembly.h>
 #include <vtkHeadlessRenderWindow.h>
 #include <vtkLight.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
@@ -28,6 +29,7 @@ struct ChangingActor
   vtkSmartPointer<vtkPolyData> mesh;       ///< its own, to be changed in place
   vtkSmartPointer<vtkSphereSource> source; ///< that it is drawn from
   vtkSmartPointer<vtkTransform> user;      ///< its user transform
+  vtkSmartPointer<vtkMatrix4x4> matrix;    ///< its user matrix, in place of that
   vtkSmartPointer<vtkPlane> plane;         ///< that clips it
   vtkSmartPointer<vtkAssembly> parent;     ///< none: it is the renderer's
 };

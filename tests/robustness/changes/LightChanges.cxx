@@ -56,13 +56,18 @@ std::vector<Change> listLightChanges()
       {"light removed", removeLight},
       {"light moved", moveLight},
       {"light moved", moveLight},
-      {"light's aim", [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetFocalPoint(r.real(), 0.0, r.real()); }},
-      {"light's cone", [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetConeAngle(r.between(10.0, 180.0)); }},
-      {"light positional or not", [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetPositional(r.chance(0.6)); }},
+      {"light's aim",
+       [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetFocalPoint(r.real(), 0.0, r.real()); }},
+      {"light's cone",
+       [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetConeAngle(r.between(10.0, 180.0)); }},
+      {"light positional or not",
+       [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetPositional(r.chance(0.6)); }},
       {"light on or off", [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetSwitch(r.chance(0.7)); }},
       {"light's type", changeType},
-      {"light's shadow", [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetShadowAttenuation(r.real()); }},
-      {"light's colour", [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetColor(1.0, r.real(), r.real()); }}};
+      {"light's shadow",
+       [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetShadowAttenuation(r.real()); }},
+      {"light's colour",
+       [](ChangingScene& s, FuzzRandom& r) { s.pickLight(r)->SetColor(1.0, r.real(), r.real()); }}};
 }
 
 } // namespace shadow::fuzz

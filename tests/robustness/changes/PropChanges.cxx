@@ -6,7 +6,6 @@
 #include <vtkCellArray.h>
 #include <vtkImageData.h>
 #include <vtkMapper.h>
-#include <vtkMatrix4x4.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkTexture.h>
@@ -63,13 +62,13 @@ void changeCells(ChangingScene& scene, FuzzRandom& random)
     return;
   }
   vtkNew<vtkCellArray> cells;
-  const auto left = static_cast<vtkIdType>(random.below(static_cast<std::size_t>(changing.mesh->GetNumberOfPolys())));
+  const auto left = random.below(static_cast<std::size_t>(changing.mesh->GetNumberOfPolys()));
   for (vtkIdType i = 0; i < changing.mesh->GetNumberOfPolys(); ++i)
   {
     vtkIdType count = 0;
     const vtkIdType* corners = nullptr;
     changing.mesh->GetPolys()->GetCellAtId(i, count, corners);
-    if (i != left)
+    if (i != static_cast<vtkIdType>(left))
     {
       cells->InsertNextCell(count, corners);
     }
@@ -83,6 +82,7 @@ void changeUserTransform(ChangingScene& scene, FuzzRandom& random)
   const glm::dvec3 by = random.inCube(0.3);
   if (changing.user == nullptr)
   {
+    changing.matrix = nullptr;
     changing.user = vtkSmartPointer<vtkTransform>::New();
     changing.actor->SetUserTransform(changing.user);
   }
@@ -92,13 +92,13 @@ void changeUserTransform(ChangingScene& scene, FuzzRandom& random)
 void changeUserMatrix(ChangingScene& scene, FuzzRandom& random)
 {
   ChangingActor& changing = scene.pickActor(random);
-  changing.user = nullptr;
-  if (changing.actor->GetUserMatrix() == nullptr || random.chance(0.3))
+  if (changing.matrix == nullptr || random.chance(0.3))
   {
-    vtkNew<vtkMatrix4x4> matrix;
-    changing.actor->SetUserMatrix(matrix);
+    changing.user = nullptr;
+    changing.matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+    changing.actor->SetUserMatrix(changing.matrix);
   }
-  changing.actor->GetUserMatrix()->SetElement(random.integer(0, 2), 3, random.between(-0.4, 0.4));
+  changing.matrix->SetElement(random.integer(0, 2), 3, random.between(-0.4, 0.4));
 }
 
 void clip(ChangingScene& scene, FuzzRandom& random)
@@ -226,7 +226,8 @@ std::vector<Change> listPropChanges()
       {"into an assembly",
        [](ChangingScene& s, FuzzRandom& r) { s.setParent(s.pickActor(r), r.pick(s.assemblies)); }},
       {"out of an assembly", [](ChangingScene& s, FuzzRandom& r) { s.setParent(s.pickActor(r), nullptr); }},
-      {"casting", [](ChangingScene& s, FuzzRandom& r) { s.pass->SetCasting(s.pickActor(r).actor, r.chance(0.6)); }},
+      {"casting",
+       [](ChangingScene& s, FuzzRandom& r) { s.pass->SetCasting(s.pickActor(r).actor, r.chance(0.6)); }},
       {"casting of an assembly",
        [](ChangingScene& s, FuzzRandom& r) { s.pass->SetCasting(r.pick(s.assemblies), r.chance(0.7)); }}};
 }

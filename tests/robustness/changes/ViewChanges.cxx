@@ -111,7 +111,8 @@ std::vector<Change> listViewChanges()
           {"second renderer", [](ChangingScene& s, FuzzRandom& r) { s.setSecond(r.chance(0.4)); }},
           {"setting", changeSetting},
           {"setting", changeSetting},
-          {"savings", [](ChangingScene& s, FuzzRandom& r) { s.pass->SetSavings(r.chance(0.8) ? Pass::SAVINGS_ALL : 0); }},
+          {"savings",
+           [](ChangingScene& s, FuzzRandom& r) { s.pass->SetSavings(r.chance(0.8) ? Pass::SAVINGS_ALL : 0); }},
           {"resources released", release},
           {"pass off and on", takeOff}};
 }

@@ -1,5 +1,5 @@
-// Changes random scenes again and again, and holds what a pass that has seen it all draws against what a new one
-// does. Ends with 1 when they differ, or when the pass never kept anything.
+// Changes random scenes again and again, and holds what a pass that has seen it all draws against what others
+// do that keep nothing. Ends with 1 when they differ, or when the pass never kept anything.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -269,7 +269,8 @@ TEST(KeptMask, CountBufferAndStencilMethod_NotKept)
       EXPECT_EQ(drawShadows(scene.window, scene.pass).masks, expected.masks);
       EXPECT_EQ(scene.pass->GetNumberOfKeptLights(), 0);
       scene.lights[1]->SetPosition(-0.3, 1.0, 0.1);
-      EXPECT_EQ(tellDifferences(drawShadows(scene.window, scene.pass), drawByNewPass(scene.window, scene.pass)), "");
+      const DrawnShadows moved = drawShadows(scene.window, scene.pass);
+      EXPECT_EQ(tellDifferences(moved, drawByNewPass(scene.window, scene.pass)), "");
       scene.lights[1]->SetPosition(-0.4, 1.0, 0.2);
       EXPECT_EQ(drawShadows(scene.window, scene.pass).masks, expected.masks);
       EXPECT_EQ(scene.pass->GetNumberOfKeptLights(), KeptScene::lightCount - 1);
