@@ -73,6 +73,12 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
 
 void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
 {
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    // The only way to it, without what VTK makes for each way.
+    this->addPath({prop}, true, actor->GetMatrix(), settings, root);
+    return;
+  }
   prop->InitPathTraversal();
   while (vtkAssemblyPath* assemblyPath = prop->GetNextPath())
   {
@@ -85,32 +91,39 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings, Group& root)
       path.push_back(node->GetViewProp());
       visible = visible && node->GetViewProp()->GetVisibility() != 0;
     }
-    vtkActor* actor = vtkActor::SafeDownCast(path.back());
-    this->blendedAsOpaque = this->blendedAsOpaque || (visible && isBlendedAsOpaque(path.back()));
-    if (!visible || path.back()->IsA("vtkSkybox") != 0)
-    {
-      continue; // a skybox is a backdrop: its cube is nowhere in the scene
-    }
-    if (actor != nullptr && actor->GetMapper() != nullptr)
-    {
-      this->addActor(actor, path, assemblyPath, settings, root);
-      if (this->mirrored.count(actor) == 0)
-      {
-        this->mappersOfOthers.insert(actor->GetMapper());
-        this->moreDrawn = this->moreDrawn || actor->HasOpaqueGeometry() != 0;
-        this->noteLines(actor, drawsLines(actor));
-      }
-      continue;
-    }
-    this->moreDrawn = this->moreDrawn || mayBeOpaque(path.back());
-    if (path.back()->IsA("vtkImageSlice") != 0 || path.back()->IsA("vtkLODProp3D") != 0)
-    {
-      this->refuse(this->describe(path.back()), "it is no vtkActor", settings);
-    }
+    this->addPath(path, visible, assemblyPath->GetLastNode()->GetMatrix(), settings, root);
   }
 }
 
-void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath,
+void SceneBuilder::addPath(const PropPath& path, bool visible, vtkMatrix4x4* matrix, const Settings& settings,
+                           Group& root)
+{
+  vtkProp* end = path.back();
+  this->blendedAsOpaque = this->blendedAsOpaque || (visible && isBlendedAsOpaque(end));
+  if (!visible || end->IsA("vtkSkybox") != 0)
+  {
+    return; // a skybox is a backdrop: its cube is nowhere in the scene
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(end);
+  if (actor != nullptr && actor->GetMapper() != nullptr)
+  {
+    this->addActor(actor, path, matrix, settings, root);
+    if (this->mirrored.count(actor) == 0)
+    {
+      this->mappersOfOthers.insert(actor->GetMapper());
+      this->moreDrawn = this->moreDrawn || actor->HasOpaqueGeometry() != 0;
+      this->noteLines(actor, drawsLines(actor));
+    }
+    return;
+  }
+  this->moreDrawn = this->moreDrawn || mayBeOpaque(end);
+  if (end->IsA("vtkImageSlice") != 0 || end->IsA("vtkLODProp3D") != 0)
+  {
+    this->refuse(this->describe(end), "it is no vtkActor", settings);
+  }
+}
+
+void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkMatrix4x4* matrix,
                             const Settings& settings, Group& root)
 {
   vtkMapper* mapper = actor->GetMapper();
@@ -155,7 +168,7 @@ void SceneBuilder::addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPa
   transform->drawn = settings.drawn.count(path.front()) != 0;
   transform->casting = std::all_of(path.begin(), path.end(), settings.isCasting);
   // VTK stores row-major, GLM column-major.
-  transform->matrix = glm::transpose(glm::make_mat4(assemblyPath->GetLastNode()->GetMatrix()->GetData()));
+  transform->matrix = glm::transpose(glm::make_mat4(matrix->GetData()));
   if (!isInvertible(transform->matrix))
   {
     const std::string reason = "its transform flattens it or is not finite";

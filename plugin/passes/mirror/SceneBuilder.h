@@ -16,8 +16,8 @@
 #include "SEDGeode.h"
 
 class vtkActor;
-class vtkAssemblyPath;
 class vtkMapper;
+class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -105,8 +105,11 @@ private:
   };
 
   void addProp(vtkProp* prop, const Settings& settings, Group& root);
-  void addActor(vtkActor* actor, const PropPath& path, vtkAssemblyPath* assemblyPath,
-                const Settings& settings, Group& root);
+  /// @param visible  all props on the path are
+  /// @param matrix   of the last one, to world space
+  void addPath(const PropPath& path, bool visible, vtkMatrix4x4* matrix, const Settings& settings, Group& root);
+  void addActor(vtkActor* actor, const PropPath& path, vtkMatrix4x4* matrix, const Settings& settings,
+                Group& root);
   /// @param shownBefore  in the same place the last time, perhaps the same mesh at an earlier time; or
   /// nullptr
   std::shared_ptr<SEDGeode> getGeode(vtkPolyData* polyData, const std::shared_ptr<SEDGeode>& shownBefore,
