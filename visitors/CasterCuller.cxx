@@ -91,14 +91,6 @@ bool lightOutsideBoundingSphere(const Light& light, const BoxCorners& corners)
          glm::distance(glm::dvec3(light.positionWC), centre) > radius * (1.0 + 1e-6);
 }
 
-// A shared geode goes by the name of what places it.
-std::string nameOf(const NodePath& path)
-{
-  const auto named =
-      std::find_if(path.rbegin(), path.rend(), [](const Node* node) { return !node->name.empty(); });
-  return named != path.rend() ? (*named)->name : "";
-}
-
 } // namespace
 
 CasterCuller::CasterCuller(const View& theView, const std::vector<Light>& theLights,
@@ -154,7 +146,7 @@ void CasterCuller::apply(SEDGeode& geode)
     }
     if (state.plan.skipReason != nullptr)
     {
-      this->skipped.insert({nameOf(this->getPath()), state.plan.skipReason});
+      this->skipped.insert({describePath(this->getPath()), state.plan.skipReason});
     }
     this->casters += state.plan.count != StencilCount::Skip ? 1 : 0;
     this->zFailCasters += state.plan.count == StencilCount::ZFail ? 1 : 0;

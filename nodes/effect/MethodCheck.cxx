@@ -75,6 +75,7 @@ std::optional<std::string> findFault(vtkOpenGLRenderWindow* window, ShadowVolume
   effect.clearChildren();
   scene.addTo(effect);
   settings.coplanarTolerance = 0.0;
+  settings.savings = NoSavings;
   settings.findHiddenBacks = false;
   settings.waitAfterStages = false;
   std::vector<std::vector<unsigned char>> masks; // of one light after the other

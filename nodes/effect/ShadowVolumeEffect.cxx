@@ -33,29 +33,33 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
                                     const std::vector<Light>& lights, const Settings& settings,
                                     std::string& error)
 {
+  const Frame frame{window, view, lights, settings};
+  const bool usable = this->getCapabilities().usable;
+  const int samples = std::min(settings.samples, this->capabilities.maximumSamples);
+  this->countBuffer = this->chooseCountBuffer(settings.countBuffer, samples);
+  glGetIntegerv(GL_SAMPLES, &this->viewSamples);
+  if (usable && this->isMaskKept(frame, samples))
+  {
+    return true;
+  }
   this->statistics = {};
   this->hiddenBacks.begin();
-  if (!this->getCapabilities().usable)
+  if (!usable)
   {
     error = this->capabilities.missing;
     return false;
   }
-  glGetIntegerv(GL_SAMPLES, &this->viewSamples);
   const GLStateScope scope(window->GetState(), this->capabilities.clipControl);
-  const int samples = std::min(settings.samples, this->capabilities.maximumSamples);
-  this->countBuffer = this->chooseCountBuffer(settings.countBuffer, samples);
-  if (!this->target.allocate(window->GetState(), view.width, view.height, samples, this->countBuffer, error))
-  {
-    return false;
-  }
-  bool succeeds = true;
-  if (lights.empty())
+  bool succeeds =
+      this->target.allocate(window->GetState(), view.width, view.height, samples, this->countBuffer, error);
+  if (succeeds && lights.empty())
   {
     this->target.begin(window->GetState(), this->capabilities.clipControl);
   }
-  else
+  succeeds = succeeds && (lights.empty() || this->drawStages(frame, error));
+  if (!succeeds)
   {
-    succeeds = this->drawStages({window, view, lights, settings}, error);
+    this->madeFrom.reset();
   }
   this->drawables.sweep();
   return succeeds;
@@ -64,6 +68,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
 bool ShadowVolumeEffect::drawStages(const Frame& frame, std::string& error)
 {
   Stopwatch stage;
+  this->putMaskAside(frame.window->GetState());
   this->cull(frame);
   bool succeeds = this->findFacing(frame, error);
   this->statistics.silhouetteMilliseconds = stage.getMilliseconds();
@@ -80,10 +85,7 @@ bool ShadowVolumeEffect::drawStages(const Frame& frame, std::string& error)
   this->statistics.silhouetteMilliseconds += stage.getMilliseconds();
 
   stage = {};
-  for (const Light& light : frame.lights)
-  {
-    succeeds = succeeds && this->drawVolumes(frame, light, error);
-  }
+  succeeds = succeeds && this->countVolumes(frame, error);
   this->hiddenBacks.fetch();
   finishStage(frame.settings.waitAfterStages);
   this->statistics.stencilMilliseconds = stage.getMilliseconds();
@@ -203,7 +205,15 @@ bool ShadowVolumeEffect::drawPrePass(const Frame& frame, std::string& error)
   }
   SVStateVisitor geometryMode(RenderMode{RenderMode::What::Geometry});
   this->accept(geometryMode);
-  return this->drawSurfaces(frame, error);
+  if (!this->drawSurfaces(frame, error))
+  {
+    return false;
+  }
+  ShadowPrograms programs(frame.window);
+  const bool usable =
+      this->kept.isEmpty() || this->target.takeOver(state, programs, this->kept, this->depthRange.reversed);
+  error = usable ? error : unusableShader;
+  return usable;
 }
 
 bool ShadowVolumeEffect::drawSurfaces(const Frame& frame, std::string& error)
@@ -241,6 +251,7 @@ void ShadowVolumeEffect::release(bool contextLost)
   this->target.release(contextLost);
   this->drawables.release(contextLost);
   this->hiddenBacks.release(contextLost);
+  this->madeFrom.reset();
   this->capabilitiesKnown = false;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,8 +14,11 @@
 #include "DrawableCache.h"
 #include "FaceCounter.h"
 #include "HiddenBacks.h"
+#include "KeptBits.h"
 #include "Light.h"
+#include "MaskInputs.h"
 #include "Node.h"
+#include "Savings.h"
 #include "SceneBoundsVisitor.h"
 #include "ShadowTarget.h"
 #include "SilhouetteFinder.h"
@@ -45,16 +49,25 @@ public:
     CountBuffer countBuffer = CountBuffer::Auto;
     double coplanarTolerance = 0.0; ///< degrees, see makeSilhouetteFinder()
     int samples = 1;
+    int savings = AllSavings;     ///< flags, see Savings
     bool findHiddenBacks = true;  ///< where it pays, see HiddenBacks
     bool waitAfterStages = false; ///< so that milliseconds are those of the stage
   };
 
-  struct Statistics
+  /// Of volumes.
+  struct VolumeCounts
   {
-    std::size_t prePassTriangles = 0;
     std::size_t sideTriangles = 0;
     std::size_t capTriangles = 0;
     std::size_t silhouetteEdges = 0;
+  };
+
+  /// Of the mask as it is, whether the last rendering made it or kept it; times, rebuilt volumes and kept lights
+  /// of the last rendering.
+  struct Statistics : VolumeCounts
+  {
+    std::size_t prePassTriangles = 0;
+    int keptLights = 0; ///< whose part of the mask was there already
     int casters = 0;
     int zFailCasters = 0;
     int rebuiltVolumes = 0;
@@ -72,7 +85,7 @@ public:
   /// The buffer that volumes are counted in. @pre getCapabilities() has been called
   virtual CountBuffer chooseCountBuffer(CountBuffer wanted, int samples) const;
 
-  /// Renders the shadow mask.
+  /// Renders the shadow mask, or has what is there already, see Settings::savings.
   ///
   /// @pre   the window's context is current; GL state is put back before this returns
   /// @return false with a line in @p error when the GL cannot; the mask is then not to be used
@@ -130,6 +143,10 @@ protected:
   Statistics& changeStatistics() { return this->statistics; }
 
 private:
+  MaskInputs collectInputs(const Frame& frame, int samples);
+  bool isMaskKept(const Frame& frame, int samples);
+  void putMaskAside(vtkOpenGLState* state);
+  bool countVolumes(const Frame& frame, std::string& error);
   void cull(const Frame& frame);
   void chooseFinder(const Settings& settings);
   bool drawStages(const Frame& frame, std::string& error);
@@ -149,6 +166,9 @@ private:
   DepthRange depthRange;
   HiddenBacks hiddenBacks;
   Statistics statistics;
+  std::optional<MaskInputs> madeFrom;        ///< of the mask; nothing where there is none to be kept
+  KeptBits kept;                             ///< of the coming frame
+  std::map<int, VolumeCounts> countsOfLight; ///< of the mask, by Light::index
 };
 
 } // namespace shadow

@@ -1,6 +1,9 @@
 // The stage of ShadowVolumeEffect that counts volumes.
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include <vtkOpenGLRenderWindow.h>
 
@@ -89,6 +92,33 @@ private:
 };
 
 } // namespace
+
+bool ShadowVolumeEffect::countVolumes(const Frame& frame, std::string& error)
+{
+  const std::map<int, VolumeCounts> countsBefore = std::exchange(this->countsOfLight, {});
+  Statistics& sum = this->statistics;
+  for (const Light& light : frame.lights)
+  {
+    VolumeCounts& counts = this->countsOfLight[light.index];
+    if (const std::optional<int> before = this->kept.findBefore(light.index))
+    {
+      counts = countsBefore.at(*before);
+      sum.sideTriangles += counts.sideTriangles;
+      sum.capTriangles += counts.capTriangles;
+      sum.silhouetteEdges += counts.silhouetteEdges;
+      sum.keptLights += 1;
+      continue;
+    }
+    const VolumeCounts others = sum;
+    if (!this->drawVolumes(frame, light, error))
+    {
+      return false;
+    }
+    counts = {sum.sideTriangles - others.sideTriangles, sum.capTriangles - others.capTriangles,
+              sum.silhouetteEdges - others.silhouetteEdges};
+  }
+  return true;
+}
 
 bool ShadowVolumeEffect::drawVolumes(const Frame& frame, const Light& light, std::string& error)
 {

@@ -1,7 +1,16 @@
 #include "NodeVisitor.h"
 
+#include <algorithm>
+
 namespace shadow
 {
+
+std::string describePath(const NodePath& path)
+{
+  const auto named =
+      std::find_if(path.rbegin(), path.rend(), [](const Node* node) { return !node->name.empty(); });
+  return named != path.rend() ? (*named)->name : "";
+}
 
 void NodeVisitor::traverse(Group& group)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -13,6 +14,9 @@ class SEDGeode;
 
 /// The nodes from the root to the one that is visited.
 using NodePath = std::vector<const Node*>;
+
+/// What messages call the end of a path: a shared geode goes by the name of what places it.
+std::string describePath(const NodePath& path);
 
 /// Walks a scene graph and asks one question of each node. Invisible subgraphs are not entered.
 class NodeVisitor

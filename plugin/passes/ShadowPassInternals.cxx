@@ -5,7 +5,11 @@
 #include <vtkOpenGLState.h>
 
 #include "OpenGL.h"
+#include "Savings.h"
 #include "Stopwatch.h"
+
+static_assert(int{vtkShadowVolumePass::SAVINGS_KEPT_MASKS} == int{shadow::KeptMasks} &&
+              int{vtkShadowVolumePass::SAVINGS_ALL} == int{shadow::AllSavings});
 
 //------------------------------------------------------------------------------
 vtkShadowVolumePass::vtkInternals::RendererState&
@@ -87,6 +91,7 @@ bool vtkShadowVolumePass::vtkInternals::RenderMask(vtkShadowVolumePass* self, Re
   shadow::ShadowVolumeEffect::Settings settings;
   settings.stencilMethod = static_cast<shadow::StencilMethod>(self->StencilMethod);
   settings.coplanarTolerance = self->CoplanarTolerance;
+  settings.savings = self->Savings;
   state.Want({self->SilhouetteMethod, self->CountBuffer, self->Samples, state.View.parallel});
   settings.samples = this->ChooseSamples(self->Samples, state);
   settings.waitAfterStages = self->MeasureStages;

@@ -38,6 +38,7 @@ void vtkShadowVolumePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Samples: " << this->Samples << "\n";
   os << indent << "ShadowIntensity: " << this->ShadowIntensity << "\n";
   os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
+  os << indent << "Savings: " << this->Savings << "\n";
   os << indent << "MeasureStages: " << this->MeasureStages << "\n";
   os << indent << "Status: " << this->GetStatus() << "\n";
 }

@@ -215,6 +215,25 @@ public:
   vtkGetMacro(Scope, int);
   ///@}
 
+  /// What a rendering may take over from the one before; flags, to be added up.
+  enum SavingsFlags
+  {
+    SAVINGS_NONE = 0,
+    SAVINGS_KEPT_MASKS = 1, ///< the shadow mask while nothing changes that it depends on; while only lights do,
+                            ///< that of the other lights
+    SAVINGS_ALL = SAVINGS_KEPT_MASKS
+  };
+
+  ///@{
+  /**
+   * Work that is left out where the picture stays the same to the bit: SavingsFlags. All by default; 0 has every
+   * rendering do everything, as for measuring. The last mask is all that is kept: where one renderer has two
+   * views in turn, as in stereo, nothing is saved.
+   */
+  vtkSetClampMacro(Savings, int, SAVINGS_NONE, SAVINGS_ALL);
+  vtkGetMacro(Savings, int);
+  ///@}
+
   ///@{
   /**
    * Whether a prop casts shadows (it receives them in any case). Default: every opaque prop does. For an
@@ -254,7 +273,8 @@ public:
 
   ///@{
   /**
-   * Statistics of the last rendering: triangles of the scene, and those of volumes as often as they count.
+   * Statistics of the last rendering: triangles of the scene, and those of volumes as often as they count. Of a
+   * mask that was kept, see Savings, those that it was made with.
    * For a closed mesh, a point light and
    * Additive, GetTotalTriangles() is the thesis's t + (t + k) lights for z-pass and t + (2t + k) lights for
    * z-fail, with t the scene's and k the volume sides' triangles. The pre-pass that fills our own depth
@@ -275,6 +295,7 @@ public:
    * Statistics of the last rendering: casters are counted once for each path and light.
    */
   int GetNumberOfShadowLights() const;
+  int GetNumberOfKeptLights() const;     ///< of these, whose part of the mask was kept, see Savings
   int GetNumberOfCasters() const;        ///< whose volume was drawn
   int GetNumberOfZFailCasters() const;   ///< of these, by z-fail
   int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before; 0 for
@@ -357,6 +378,7 @@ private:
   double ShadowIntensity = 1.0;
   double WeldTolerance = 0.0;
   bool MeasureStages = false;
+  int Savings = SAVINGS_ALL;
 
   friend class vtkSilhouettePass; // its lines come between what is opaque and what is translucent
   class vtkInternals;

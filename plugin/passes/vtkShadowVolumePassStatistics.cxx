@@ -74,6 +74,11 @@ int vtkShadowVolumePass::GetNumberOfShadowLights() const
   return this->Internals->ShadowLights;
 }
 
+int vtkShadowVolumePass::GetNumberOfKeptLights() const
+{
+  return this->Internals->GetStatistics().keptLights;
+}
+
 int vtkShadowVolumePass::GetNumberOfCasters() const
 {
   return this->Internals->GetStatistics().casters;

@@ -1,6 +1,6 @@
 // Frames with one moving point light, and a camera that stands still or moves, too: plain VTK,
 // vtkShadowMapPass at 2048 x 2048, and shadow volumes, in turns, so that their ratio means something on a
-// noisy machine. And the memory a frame takes.
+// noisy machine. And the memory a frame takes, and what a pass saves that keeps what has not changed.
 //
 //   bench_frame [MODEL.obj...] [--benchmark_...]   without models: built-in ones, and the meshes found beside
 //   the project
@@ -21,6 +21,7 @@
 #include <vtkTrivialProducer.h>
 
 #include "FirstFrames.h"
+#include "KeptFrames.h"
 #include "MovingLightScene.h"
 #include "SilhouetteFinder.h"
 #include "Timing.h"
@@ -221,7 +222,9 @@ std::vector<std::string> findModels(int argc, char** argv)
 int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
-  for (const std::string& model : findModels(argc, argv))
+  const std::vector<std::string> models = findModels(argc, argv);
+  shadow::benchmarks::registerKeptFrames(models, makeSource);
+  for (const std::string& model : models)
   {
     const std::string name = std::filesystem::path(model).stem().string();
     for (const bool cameraMoves : {false, true})

@@ -17,12 +17,15 @@ if(VTKSHADOW_HEADLESS)
     PUBLIC shadow_test_scene PRIVATE shadow_drawable shadow_warnings GTest::gtest)
 
   add_executable(test_pass
+    pass/KeptScene.cxx
     pass/VolumeCounter.cxx
     pass/test_gpu_silhouette.cxx
     pass/test_hidden_backs.cxx
     pass/test_pass_additive.cxx
     pass/test_pass_changes.cxx
     pass/test_pass_growth.cxx
+    pass/test_pass_kept.cxx
+    pass/test_pass_kept_elsewhere.cxx
     pass/test_pass_lights.cxx
     pass/test_pass_culled.cxx pass/test_pass_drawn.cxx
     pass/test_pass_mappers.cxx

@@ -174,6 +174,7 @@ Json describeRendering(vtkShadowVolumePass* pass, double frameMilliseconds)
                          {"lighting", pass->GetLightingTriangles()}, {"total", pass->GetTotalTriangles()}};
   result["silhouetteEdges"] = pass->GetSilhouetteEdges();
   result["shadowLights"] = pass->GetNumberOfShadowLights();
+  result["keptLights"] = pass->GetNumberOfKeptLights();
   result["casters"] = {{"drawn", pass->GetNumberOfCasters()},
                        {"zfail", pass->GetNumberOfZFailCasters()},
                        {"rebuilt", pass->GetNumberOfRebuiltVolumes()},

@@ -37,7 +37,7 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool fromNear, const std::str
     const char* switches;
     const char* geometry = "";
   };
-  static const std::array<Sources, 22> stages = {
+  static const std::array<Sources, 24> stages = {
       Sources{shaders::extrude_vert, shaders::prepass_frag, "#define SHADOW_PREPASS\n"},
       Sources{shaders::extrude_vert, shaders::volume_frag, ""},
       Sources{shaders::extrude_vert, shaders::volume_frag, "#define SHADOW_COUNT_IN_COLOR\n"},
@@ -48,6 +48,9 @@ vtkShaderProgram* ShadowPrograms::use(Stage stage, bool fromNear, const std::str
       Sources{shaders::screen_vert, shaders::mask_frag,
               "#extension GL_ARB_sample_shading : require\n"
               "#define SHADOW_COUNT_IN_COLOR\n#define SHADOW_MULTISAMPLE\n"},
+      Sources{shaders::screen_vert, shaders::kept_frag, ""},
+      Sources{shaders::screen_vert, shaders::kept_frag,
+              "#extension GL_ARB_sample_shading : require\n#define SHADOW_MULTISAMPLE\n"},
       Sources{shaders::screen_vert, shaders::back_frag, ""},
       Sources{shaders::screen_vert, shaders::resolve_frag, ""},
       Sources{shaders::screen_vert, shaders::light_frag, ""},

@@ -23,6 +23,8 @@ public:
     MaskFromStencil,
     MaskFromColor,
     MaskFromSamples, ///< the same with several samples a pixel
+    Kept,            ///< bits of the mask before
+    KeptSamples,     ///< the same with several samples a pixel
     BackSeen,
     Resolve,
     AddLight,

@@ -21,6 +21,11 @@ unsigned int ShadowTarget::makeTexture(unsigned int internalFormat, unsigned int
   return makeTargetTexture(this->width, this->height, this->samples, internalFormat, format, type);
 }
 
+unsigned int ShadowTarget::makeMask(int samplesOfMask) const
+{
+  return makeTargetTexture(this->width, this->height, samplesOfMask, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+}
+
 bool ShadowTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, int newSamples,
                             CountBuffer newBuffer, std::string& error)
 {
@@ -35,7 +40,7 @@ bool ShadowTarget::allocate(vtkOpenGLState* state, int newWidth, int newHeight, 
   this->samples = this->samplesAskedFor = newSamples;
   this->buffer = newBuffer;
   const bool stencil = newBuffer == CountBuffer::Stencil;
-  this->maskTexture = this->makeTexture(GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  this->maskTexture = this->makeMask(newSamples);
   this->depthTexture =
       stencil ? this->makeTexture(GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV)
               : this->makeTexture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
@@ -149,31 +154,39 @@ bool ShadowTarget::foldCount(vtkOpenGLState* state, ShadowPrograms& programs, in
     return false;
   }
   program->SetUniformi("maskBit", light);
+  if (stencil)
+  {
+    state->vtkglEnable(GL_STENCIL_TEST);
+    state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_NOTEQUAL, 0, 0xff);
+    state->vtkglStencilOpSeparate(GL_FRONT_AND_BACK, GL_ZERO, GL_ZERO, GL_ZERO);
+  }
+  this->combineWithMask(state, program, this->countTexture, "counts", reversedDepth);
+  return true;
+}
+
+void ShadowTarget::combineWithMask(vtkOpenGLState* state, vtkShaderProgram* program, unsigned int texture,
+                                   const char* sampler, bool reversedDepth) const
+{
   // Drawn at the farthest depth, and seen where a surface is in front of it.
   program->SetUniformf("farDepth", reversedDepth ? 0.0f : 1.0f);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDepthFunc(reversedDepth ? GL_LESS : GL_GREATER);
   state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  // What is drawn is combined with the mask by logical AND.
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
   glEnable(GL_COLOR_LOGIC_OP);
   glLogicOp(GL_AND);
-  if (stencil)
+  if (texture != 0)
   {
-    state->vtkglEnable(GL_STENCIL_TEST);
-    state->vtkglStencilFuncSeparate(GL_FRONT_AND_BACK, GL_NOTEQUAL, 0, 0xff);
-    state->vtkglStencilOpSeparate(GL_FRONT_AND_BACK, GL_ZERO, GL_ZERO, GL_ZERO);
-    this->drawScreen();
+    this->drawReading(state, texture, program, sampler);
   }
   else
   {
-    state->vtkglDisable(GL_BLEND);
-    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->framebuffer);
-    this->drawReading(state, this->countTexture, program, "counts");
+    this->drawScreen();
   }
   glDisable(GL_COLOR_LOGIC_OP);
-  return true;
 }
 
 bool ShadowTarget::drawWhereCleared(vtkOpenGLState* state, ShadowPrograms& programs, std::uint32_t bit)
@@ -224,19 +237,21 @@ void ShadowTarget::release(bool contextLost)
       glDeleteFramebuffers(1, &this->countFramebuffer);
     }
     glDeleteTextures(1, &this->maskTexture);
+    glDeleteTextures(1, &this->maskBefore);
     glDeleteTextures(1, &this->depthTexture);
     glDeleteTextures(1, &this->countTexture);
     glDeleteVertexArrays(1, &this->emptyVertexArray);
   }
   this->framebuffer = this->countFramebuffer = this->emptyVertexArray = 0;
-  this->maskTexture = this->depthTexture = this->countTexture = 0;
+  this->maskTexture = this->maskBefore = this->depthTexture = this->countTexture = 0;
   this->width = this->height = this->samples = this->samplesAskedFor = 0;
 }
 
 std::size_t ShadowTarget::getMemorySize() const
 {
-  // 4 bytes mask; 8 bytes depth and stencil, or 4 bytes depth and 4 bytes count
-  return std::size_t{12} * static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height) *
+  // 4 bytes a mask; 8 bytes depth and stencil, or 4 bytes depth and 4 bytes count
+  const std::size_t bytes = this->maskBefore != 0 ? 16 : 12;
+  return bytes * static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height) *
          static_cast<std::size_t>(this->samples);
 }
 

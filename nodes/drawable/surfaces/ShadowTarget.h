@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "FaceCounter.h"
+#include "KeptBits.h"
 
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
@@ -42,6 +43,15 @@ public:
   /// @return false when the shader does not compile
   bool foldCount(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
 
+  /// Puts the mask as it is aside for takeOver(), and another in its place. @pre allocate() has been called
+  /// @return false when the GL refuses; the mask is then still there
+  bool putMaskAside(vtkOpenGLState* state);
+
+  /// Takes bits over from the mask that was put aside: what they do not reach is not reached.
+  /// @pre   begin() called since putMaskAside(), and depth drawn; those bits face what they did
+  /// @return false when the shader does not compile
+  bool takeOver(vtkOpenGLState* state, ShadowPrograms& programs, const KeptBits& kept, bool reversedDepth);
+
   /// Draws a fragment, which is written nowhere, for each pixel where a bit of the mask is cleared.
   /// @pre   begin() called since the last beginCount(); volumes are counted in colour, one sample a pixel
   /// @return false when the shader does not compile
@@ -67,17 +77,24 @@ public:
 private:
   void readResolved(vtkOpenGLRenderWindow* window, int light, std::vector<unsigned char>& mask);
   unsigned int makeTexture(unsigned int internalFormat, unsigned int format, unsigned int type) const;
+  unsigned int makeMask(int samplesOfMask) const;
+  bool attachMask(vtkOpenGLState* state, unsigned int texture);
 
   void findSamplePlaces(vtkOpenGLState* state);
   unsigned int makeFramebuffer(vtkOpenGLState* state, unsigned int colorTexture) const;
   void drawReading(vtkOpenGLState* state, unsigned int texture, vtkShaderProgram* program,
                    const char* sampler) const;
   void drawScreen() const;
+  /// Draws a program over all surfaces, combined with the mask by logical AND.
+  /// @param texture  that it reads; 0: none
+  void combineWithMask(vtkOpenGLState* state, vtkShaderProgram* program, unsigned int texture,
+                       const char* sampler, bool reversedDepth) const;
 
   CountBuffer buffer = CountBuffer::Stencil;
   unsigned int framebuffer = 0;      ///< mask and depth, with stencil
   unsigned int countFramebuffer = 0; ///< count and the same depth; the same as framebuffer for Stencil
   unsigned int maskTexture = 0;
+  unsigned int maskBefore = 0; ///< 0 until a mask has been put aside
   unsigned int depthTexture = 0;
   unsigned int countTexture = 0; ///< Color only
   unsigned int emptyVertexArray = 0;

@@ -61,6 +61,12 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
 
 void SceneBuilder::addProp(vtkProp* prop, const Settings& settings)
 {
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    // The only way to it, without what VTK makes for each way.
+    this->addPath({prop}, true, actor->GetMatrix(), settings);
+    return;
+  }
   prop->InitPathTraversal();
   while (vtkAssemblyPath* assemblyPath = prop->GetNextPath())
   {
@@ -73,30 +79,36 @@ void SceneBuilder::addProp(vtkProp* prop, const Settings& settings)
       path.push_back(node->GetViewProp());
       visible = visible && node->GetViewProp()->GetVisibility() != 0;
     }
-    vtkActor* actor = vtkActor::SafeDownCast(path.back());
-    this->blendedAsOpaque = this->blendedAsOpaque || (visible && isBlendedAsOpaque(path.back()));
-    if (!visible || path.back()->IsA("vtkSkybox") != 0)
-    {
-      continue; // a skybox is a backdrop: its cube is nowhere in the scene
-    }
-    if (actor != nullptr && actor->GetMapper() != nullptr)
-    {
-      Placement placement;
-      placement.actor = actor;
-      this->addActor(placement, path, assemblyPath, settings);
-      this->placements.push_back(std::move(placement));
-      this->currentPlacement += 1;
-      continue;
-    }
-    this->moreDrawn = this->moreDrawn || mayBeOpaque(path.back());
-    if (path.back()->IsA("vtkImageSlice") != 0 || path.back()->IsA("vtkLODProp3D") != 0)
-    {
-      this->refuse(this->describe(path.back()), "it is no vtkActor", settings);
-    }
+    this->addPath(path, visible, assemblyPath->GetLastNode()->GetMatrix(), settings);
   }
 }
 
-void SceneBuilder::addActor(Placement& placement, const PropPath& path, vtkAssemblyPath* assemblyPath,
+void SceneBuilder::addPath(const PropPath& path, bool visible, vtkMatrix4x4* matrix, const Settings& settings)
+{
+  vtkProp* end = path.back();
+  this->blendedAsOpaque = this->blendedAsOpaque || (visible && isBlendedAsOpaque(end));
+  if (!visible || end->IsA("vtkSkybox") != 0)
+  {
+    return; // a skybox is a backdrop: its cube is nowhere in the scene
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(end);
+  if (actor != nullptr && actor->GetMapper() != nullptr)
+  {
+    Placement placement;
+    placement.actor = actor;
+    this->addActor(placement, path, matrix, settings);
+    this->placements.push_back(std::move(placement));
+    this->currentPlacement += 1;
+    return;
+  }
+  this->moreDrawn = this->moreDrawn || mayBeOpaque(end);
+  if (end->IsA("vtkImageSlice") != 0 || end->IsA("vtkLODProp3D") != 0)
+  {
+    this->refuse(this->describe(end), "it is no vtkActor", settings);
+  }
+}
+
+void SceneBuilder::addActor(Placement& placement, const PropPath& path, vtkMatrix4x4* matrix,
                             const Settings& settings)
 {
   vtkActor* actor = placement.actor;
@@ -142,7 +154,7 @@ void SceneBuilder::addActor(Placement& placement, const PropPath& path, vtkAssem
   transform->drawn = settings.drawn.count(path.front()) != 0;
   transform->casting = std::all_of(path.begin(), path.end(), settings.isCasting);
   // VTK stores row-major, GLM column-major.
-  transform->matrix = glm::transpose(glm::make_mat4(assemblyPath->GetLastNode()->GetMatrix()->GetData()));
+  transform->matrix = glm::transpose(glm::make_mat4(matrix->GetData()));
   if (!isInvertible(transform->matrix))
   {
     const std::string reason = "its transform flattens it or is not finite";

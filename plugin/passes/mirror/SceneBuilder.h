@@ -16,8 +16,8 @@
 #include "SEDGeode.h"
 
 class vtkActor;
-class vtkAssemblyPath;
 class vtkMapper;
+class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -106,8 +106,10 @@ private:
   /// @name Stages: all actors are found, then meshes built, then the graph is made
   /// @{
   void addProp(vtkProp* prop, const Settings& settings);
-  void addActor(Placement& placement, const PropPath& path, vtkAssemblyPath* assemblyPath,
-                const Settings& settings);
+  /// @param visible  all props on the path are
+  /// @param matrix   of the last one, to world space
+  void addPath(const PropPath& path, bool visible, vtkMatrix4x4* matrix, const Settings& settings);
+  void addActor(Placement& placement, const PropPath& path, vtkMatrix4x4* matrix, const Settings& settings);
   void show(const Settings& settings, Group& root);
   void showActor(const Placement& placement, const Settings& settings, Group& root);
   /// @}

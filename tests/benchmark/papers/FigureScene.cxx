@@ -20,6 +20,7 @@ constexpr double ring = 2.0; ///< radius of the ring that the objects stand in
 
 FigureScene::FigureScene(const SceneSize& size) : scene(size.width, size.height)
 {
+  this->scene.pass->SetSavings(vtkShadowVolumePass::SAVINGS_NONE); // the papers' methods make all anew
   vtkNew<vtkPlaneSource> floor;
   floor->SetOrigin(-1.7 * ring, 0.0, -1.7 * ring);
   floor->SetPoint1(-1.7 * ring, 0.0, 1.7 * ring);
