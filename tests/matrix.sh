@@ -116,7 +116,7 @@ make_environment() ( # system root
   version=$(sed -n 's/.*"cvista-sdk==\([^"]*\)".*/\1/p' "$project_folder/pyproject.toml")
   source "$project_folder/plugin/python/wheel/find_python.sh"
   [ -x "$2/environment/bin/python" ] || "$python" -m venv "$2/environment"
-  "$2/environment/bin/python" -m pip --disable-pip-version-check install --quiet "cvista[rendering]==$version" \
+  "$2/environment/bin/python" -m pip --disable-pip-version-check install --quiet "cvista[rendering,io]==$version" \
     "cvista-sdk==$version" pyvista==0.49.1 pyvista-render-passes==0.2.0 cmake ninja
 )
 
