@@ -6,10 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../examples/setup.sh"
 
 # For windows on a display.
-needs+=(
-  "xvfb  command xvfb-run"
-  "xauth command xauth"
-)
+needs+=("xvfb command Xvfb")
 install_missing
 build all
 exec ctest --test-dir "$build_folder" --output-on-failure -j2 "$@"

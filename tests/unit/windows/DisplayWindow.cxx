@@ -33,7 +33,7 @@ std::string whyThereIsNoWindow()
   const char* display = std::getenv("DISPLAY");
   if (display == nullptr || *display == '\0')
   {
-    return "there is no X server: DISPLAY is not set (Debian: xvfb and xauth)";
+    return "there is no X server: DISPLAY is not set (Debian: xvfb)";
   }
   vtkNew<vtkRenderWindow> window;
   return window->IsA("vtkXOpenGLRenderWindow") != 0
