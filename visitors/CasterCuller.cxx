@@ -101,10 +101,9 @@ CasterCuller::CasterCuller(const View& theView, const std::vector<Light>& theLig
   const glm::dvec3& upper = sceneBounds.upperWC;
   const double size = sceneBounds.isEmpty() ? 1.0 : glm::distance(lower, upper);
   const double magnitude = glm::length(glm::max(glm::abs(lower), glm::abs(upper)));
-  // Where a caster touches the box a side is as thin as this, and must not be much thinner than a pixel: of a triangle
-  // as thin as the rasteriser's grid the depth is wrong.
-  const double margin =
-      std::max({1e-3 * size, 1e-9 * magnitude, 0.5 * pixelSize(this->view, this->sceneBounds.farthest)});
+  // Where a caster touches the box a side is as thin as this. As thin as the rasteriser's grid, it would have a wrong
+  // depth: in parallel views a pixel of some random scenes was wrong.
+  const double margin = std::max((view.parallel ? 1e-2 : 1e-3) * size, 1e-9 * magnitude);
   for (int axis = 0; axis < 3; ++axis)
   {
     glm::dvec3 normal(0.0);

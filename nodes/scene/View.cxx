@@ -1,6 +1,5 @@
 #include "View.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/gtc/matrix_access.hpp>
@@ -40,14 +39,6 @@ View makeView(const glm::dmat4& clipFromWC, int width, int height)
   const glm::dvec4 nearPlane = view.planes[4];
   view.viewDepth = nearPlane / glm::length(glm::dvec3(nearPlane));
   return view;
-}
-
-double pixelSize(const View& view, double depth)
-{
-  const double across = glm::distance(view.nearWC[0], view.nearWC[1]) / std::max(view.width, 1);
-  const double up = glm::distance(view.nearWC[1], view.nearWC[2]) / std::max(view.height, 1);
-  const double farther = glm::length(glm::dvec3(glm::row(view.clipFromWC, 3))) * std::max(depth, 0.0);
-  return std::max(across, up) * (view.parallel ? 1.0 : (view.nearW + farther) / view.nearW);
 }
 
 glm::dmat4 shadowClipFromWC(const View& view, const DepthRange& range)

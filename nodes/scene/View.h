@@ -26,9 +26,6 @@ struct View
 /// Derives a view from VTK's world-to-clip matrix. @pre the matrix can be inverted
 View makeView(const glm::dmat4& clipFromWC, int width, int height);
 
-/// How large a pixel is, in world space. @param depth  distance in front of the near plane; less than 0 counts as 0
-double pixelSize(const View& view, double depth);
-
 /// How depth is stored in the stencil target.
 struct DepthRange
 {

@@ -210,25 +210,3 @@ TEST(LightToModel, FlatteningTransform_Nothing)
   const glm::dmat4 flat = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 0.0, 1.0));
   EXPECT_FALSE(lightToModel(Light{0, {1.0, 2.0, 3.0, 1.0}}, flat, glm::dvec3(0.0)));
 }
-
-TEST(ViewTest, PixelSize_IsOnePixelAtEveryDepth)
-{
-  const glm::dmat4 viewFromWC = glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0));
-  for (const bool parallel : {false, true})
-  {
-    const View view = makeView((parallel ? glm::ortho(-4.0, 4.0, -3.0, 3.0, 0.5, 100.0)
-                                         : glm::perspective(0.9, 4.0 / 3.0, 0.5, 100.0)) *
-                                   viewFromWC,
-                               400, 300);
-    for (const double depth : {0.0, 0.1, 7.0, 5000.0})
-    {
-      const auto toPixels = [&](double y)
-      {
-        const glm::dvec4 clip = view.clipFromWC * glm::dvec4(0.0, y, 4.5 - depth, 1.0);
-        return 150.0 * clip.y / clip.w;
-      };
-      EXPECT_NEAR(toPixels(pixelSize(view, depth)), 1.0, 1e-9) << parallel << " " << depth;
-    }
-    EXPECT_EQ(pixelSize(view, -3.0), pixelSize(view, 0.0));
-  }
-}
