@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkClipPolyData.h>
@@ -175,24 +177,22 @@ vtkPolyData* DrawnSurfaces::clip(vtkPolyData* input, vtkPlaneCollection* planes,
 {
   ClippedMesh& entry = this->clipped[{path, input}];
   entry.used = true;
-  vtkMTimeType time = std::max(input->GetMTime(), planes->GetMTime());
+  std::vector<glm::dvec4> planesMC;
   for (int i = 0; i < planes->GetNumberOfItems(); ++i)
   {
-    time = std::max(time, planes->GetItem(i)->GetMTime());
+    const glm::dvec3 normalWC = glm::make_vec3(planes->GetItem(i)->GetNormal());
+    const glm::dvec3 originWC = glm::make_vec3(planes->GetItem(i)->GetOrigin());
+    planesMC.push_back(glm::dvec4(normalWC, -glm::dot(normalWC, originWC)) * modelToWorld);
   }
-  if (entry.output != nullptr && entry.input == input && entry.time == time &&
-      entry.modelToWorld == modelToWorld)
+  // Planes by what they are: a mapper may be given others that are older than its data.
+  const vtkMTimeType time = input->GetMTime();
+  if (entry.output != nullptr && entry.input == input && entry.time == time && entry.planesMC == planesMC)
   {
     return entry.output;
   }
   vtkSmartPointer<vtkPolyData> current = fan(input);
-  for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+  for (const glm::dvec4& planeMC : planesMC)
   {
-    double* normal = planes->GetItem(i)->GetNormal();
-    double* origin = planes->GetItem(i)->GetOrigin();
-    const glm::dvec3 normalWC(normal[0], normal[1], normal[2]);
-    const glm::dvec3 originWC(origin[0], origin[1], origin[2]);
-    const glm::dvec4 planeMC = glm::dvec4(normalWC, -glm::dot(normalWC, originWC)) * modelToWorld;
     const double length = glm::length(glm::dvec3(planeMC));
     const glm::dvec3 normalMC = glm::dvec3(planeMC) / length;
     const glm::dvec3 originMC = normalMC * (-planeMC.w / length);
@@ -207,7 +207,7 @@ vtkPolyData* DrawnSurfaces::clip(vtkPolyData* input, vtkPlaneCollection* planes,
   }
   entry.output = current;
   entry.input = input;
-  entry.modelToWorld = modelToWorld;
+  entry.planesMC = std::move(planesMC);
   entry.time = time;
   return entry.output;
 }

@@ -49,7 +49,7 @@ private:
   {
     vtkSmartPointer<vtkPolyData> output;
     vtkWeakPointer<vtkPolyData> input;
-    glm::dmat4 modelToWorld{1.0};
+    std::vector<glm::dvec4> planesMC; ///< that it was cut by
     vtkMTimeType time = 0;
     bool used = false;
   };

@@ -8,8 +8,13 @@
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkTexture.h>
 
@@ -97,6 +102,18 @@ std::vector<Change> listSceneChanges()
        }},
       {"mapper replaced", 0, [](KeptScene& s) { s.ball->SetMapper(s.part->GetMapper()); }},
       {"clipping plane moved", 0, [](KeptScene& s) { s.clippingPlane->SetOrigin(1.0, 0.75, 0.8); }},
+      {"clipping planes that are older than the mesh", 0,
+       [](KeptScene& s)
+       {
+         vtkNew<vtkPlaneCollection> planes;
+         vtkNew<vtkPlane> plane;
+         plane->SetOrigin(1.0, 0.7, 0.8);
+         plane->SetNormal(0.0, 1.0, 0.3);
+         planes->AddItem(plane);
+         s.clipped->GetMapper()->GetInputDataObject(0, 0)->Modified();
+         s.window->Render();
+         s.clipped->GetMapper()->SetClippingPlanes(planes);
+       }},
       {"clipping planes removed", 0, [](KeptScene& s) { s.clipped->GetMapper()->RemoveAllClippingPlanes(); }},
       {"block hidden", 0,
        [](KeptScene& s)
