@@ -38,7 +38,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
   const int samples = std::min(settings.samples, this->capabilities.maximumSamples);
   this->countBuffer = this->chooseCountBuffer(settings.countBuffer, samples);
   glGetIntegerv(GL_SAMPLES, &this->viewSamples);
-  if (usable && this->isMaskKept(frame, samples))
+  if (usable && this->keepMask(frame, samples))
   {
     return true;
   }

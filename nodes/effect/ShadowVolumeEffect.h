@@ -144,7 +144,8 @@ protected:
 
 private:
   MaskInputs collectInputs(const Frame& frame, int samples);
-  bool isMaskKept(const Frame& frame, int samples);
+  /// Finds out what of the mask before is still right. @return whether all of it is
+  bool keepMask(const Frame& frame, int samples);
   void putMaskAside(vtkOpenGLState* state);
   bool countVolumes(const Frame& frame, std::string& error);
   void cull(const Frame& frame);

@@ -23,7 +23,7 @@ MaskInputs ShadowVolumeEffect::collectInputs(const Frame& frame, int samples)
   return inputs;
 }
 
-bool ShadowVolumeEffect::isMaskKept(const Frame& frame, int samples)
+bool ShadowVolumeEffect::keepMask(const Frame& frame, int samples)
 {
   const std::optional<MaskInputs> before = std::exchange(this->madeFrom, std::nullopt);
   this->kept = {};

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
-#include <vtkImageData.h>
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
 #include <vtkNew.h>
 #include <vtkProp.h>
 #include <vtkPropCollection.h>
@@ -15,7 +13,8 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkShadowVolumePass.h>
-#include <vtkUnsignedCharArray.h>
+
+#include "Pixels.h"
 
 namespace shadow::truth
 {
@@ -70,32 +69,6 @@ void copySettings(vtkShadowVolumePass* from, vtkShadowVolumePass* to)
   to->SetScope(from->GetScope());
 }
 
-int countLights(vtkRenderer* renderer)
-{
-  int on = 0;
-  vtkCollectionSimpleIterator iterator;
-  renderer->GetLights()->InitTraversal(iterator);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(iterator))
-  {
-    on += light->GetSwitch() != 0 ? 1 : 0;
-  }
-  return on;
-}
-
-std::size_t countDifferent(const std::vector<unsigned char>& one, const std::vector<unsigned char>& other)
-{
-  if (one.size() != other.size())
-  {
-    return std::max(one.size(), other.size());
-  }
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < one.size(); ++i)
-  {
-    different += one[i] != other[i] ? 1 : 0;
-  }
-  return different;
-}
-
 } // namespace
 
 DrawnShadows drawShadows(vtkRenderWindow* window, vtkShadowVolumePass* pass)
@@ -107,20 +80,14 @@ DrawnShadows drawShadows(vtkRenderWindow* window, vtkShadowVolumePass* pass)
   drawn.counts = {pass->GetNumberOfShadowLights(), pass->GetNumberOfCasters(), pass->GetNumberOfZFailCasters(),
                   pass->GetNumberOfSkippedCasters(), pass->GetPrePassTriangles(), pass->GetSideTriangles(),
                   pass->GetCapTriangles(), pass->GetSilhouetteEdges()};
-  const std::vector<vtkRenderer*> renderers = renderersOf(window, pass);
-  const bool hasMasks = !renderers.empty() && drawn.status <= vtkShadowVolumePass::STATUS_PARTIAL;
-  const int lights = hasMasks ? countLights(renderers.back()) : 0;
-  for (int light = 0; light < lights; ++light)
+  const bool hasMasks =
+      !renderersOf(window, pass).empty() && drawn.status <= vtkShadowVolumePass::STATUS_PARTIAL;
+  for (Pixels mask = hasMasks ? readMask(pass, 0) : Pixels(); !mask.empty();
+       mask = readMask(pass, static_cast<int>(drawn.masks.size())))
   {
-    vtkNew<vtkImageData> image;
-    pass->GetShadowMask(light, image);
-    const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
-    drawn.masks.emplace_back(pixels, pixels + image->GetNumberOfPoints());
+    drawn.masks.push_back(std::move(mask));
   }
-  const int* size = window->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels.GetPointer(), 0);
-  drawn.picture.assign(pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+  drawn.picture = readPicture(window);
   return drawn;
 }
 

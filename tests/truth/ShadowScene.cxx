@@ -6,12 +6,11 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
-#include <vtkImageData.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkUnsignedCharArray.h>
 
+#include "Pixels.h"
 #include "SceneFromRenderer.h"
 
 namespace shadow::truth
@@ -107,22 +106,18 @@ void ShadowScene::lookFrom(double dx, double dy, double dz, double distance)
 std::vector<unsigned char> ShadowScene::renderMask(int light)
 {
   this->window->Render();
-  vtkNew<vtkImageData> image;
-  if (!this->pass->GetShadowMask(light, image))
+  std::vector<unsigned char> mask = readMask(this->pass, light);
+  if (mask.empty())
   {
     throw std::runtime_error("no shadow mask: " + this->pass->GetStatusMessage());
   }
-  const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
-  return {pixels, pixels + image->GetNumberOfPoints()};
+  return mask;
 }
 
 std::vector<unsigned char> ShadowScene::renderPicture()
 {
   this->window->Render();
-  const int* size = this->window->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  this->window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels.GetPointer(), 0);
-  return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
+  return readPicture(this->window);
 }
 
 MaskError ShadowScene::compare(int light, bool full)

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <vtkActor.h>
-#include <vtkImageData.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
@@ -58,10 +57,7 @@ std::vector<Pixels> renderMasks(BallScene& scene)
   std::vector<Pixels> masks;
   for (int light = 0; light < maximumLights; ++light)
   {
-    vtkNew<vtkImageData> image;
-    scene.pass->GetShadowMask(light, image);
-    const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
-    masks.emplace_back(pixels, pixels + image->GetNumberOfPoints());
+    masks.push_back(readMask(scene.pass, light));
   }
   return masks;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
@@ -127,20 +126,6 @@ vtkSmartPointer<vtkTexture> makeTextureOfHoles()
   const auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
   return texture;
-}
-
-std::size_t countDifferent(const Pixels& a, const Pixels& b, int tolerance)
-{
-  if (a.size() != b.size())
-  {
-    return std::max(a.size(), b.size());
-  }
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    count += std::abs(a[i] - b[i]) > tolerance ? 1 : 0;
-  }
-  return count;
 }
 
 std::size_t countValue(const Pixels& pixels, int value)

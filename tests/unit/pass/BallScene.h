@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 
+#include "Pixels.h"
 #include "ShadowScene.h"
 
 class vtkRenderPass;
@@ -19,8 +20,10 @@ class vtkTexture;
 namespace shadow::test
 {
 
-/// Bytes of a mask or a picture, bottom row first.
-using Pixels = std::vector<unsigned char>;
+using truth::countDifferent;
+using truth::Pixels;
+using truth::readMask;
+using truth::readPicture;
 
 /// Certain pixels of a ball scene's mask that may be wrong: one on the ball's rim, where a triangle that is
 /// seen from its edge is thinner than the rasteriser's grid.
@@ -71,8 +74,6 @@ public:
 /// Without alpha but for one texel in a corner, so that VTK takes what has it for opaque.
 vtkSmartPointer<vtkTexture> makeTextureOfHoles();
 
-/// How many values differ by more than @p tolerance. All of them when the sizes differ.
-std::size_t countDifferent(const Pixels& a, const Pixels& b, int tolerance = 0);
 std::size_t countValue(const Pixels& pixels, int value);
 
 /// Counts an object's vtkErrorMacro and vtkWarningMacro, and keeps them off the output window.

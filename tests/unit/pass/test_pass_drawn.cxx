@@ -100,10 +100,7 @@ std::string skipped(vtkShadowVolumePass* pass)
 Pixels renderMask(BallScene& scene)
 {
   scene.window->Render();
-  vtkNew<vtkImageData> image;
-  scene.pass->GetShadowMask(0, image);
-  const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
-  return {pixels, pixels + image->GetNumberOfPoints()};
+  return readMask(scene.pass, 0);
 }
 
 } // namespace
