@@ -21,9 +21,14 @@ invariant gl_Position;
 
 void main()
 {
-  vec4 positionMC = vertexMC.w < 0.0 ? endOf(lightMC, rayLength * vertexMC.xyz) : copyOf(vertexMC.xyz, vertexMC.w == 0.0);
+#ifdef SHADOW_BATCHED
+  readObject();
+#endif
 #ifdef SHADOW_PREPASS
+  vec4 positionMC = copyOf(vertexMC.xyz, false);
   sideBits = reachableBits;
+#else
+  vec4 positionMC = vertexMC.w < 0.0 ? endOf(lightMC, rayLength * vertexMC.xyz) : copyOf(vertexMC.xyz, vertexMC.w == 0.0);
 #endif
 #ifdef SHADOW_PARALLEL
   nearDistance = beyondNear(positionMC);

@@ -8,16 +8,21 @@
 // unif farPlaneMC  vec4  plane that far copies are projected on from the light; (0, 0, 0, 1) is the plane at infinity
 // unif depthBias   vec2  x scales depth, y shifts it; (1, 0) leaves it as it is
 // unif nearFromMC  vec4  dot with the position: distance in front of the near plane; parallel views only
+// def  SHADOW_BATCHED    all but depthBias are of the vertex's mesh: see batchedObject.glsl
 // Stages include precise.glsl before it.
 // Source: Everitt & Kilgard 2002; Blinn 1988, "Me and My (Fake) Shadow" (projection onto a plane)
+uniform vec2 depthBias;
+#ifdef SHADOW_BATCHED
+#include "batchedObject.glsl"
+#else
 uniform mat4 clipFromMC;
 uniform vec4 lightMC;
 uniform vec3 lightLowMC;
 uniform float rayLength;
 uniform vec4 farPlaneMC;
-uniform vec2 depthBias;
 #ifdef SHADOW_PARALLEL
 uniform vec4 nearFromMC;
+#endif
 #endif
 
 // Where a ray from the light meets the far plane, in homogeneous model space: w is negative where it would meet it only

@@ -126,6 +126,10 @@ void CasterCuller::apply(SEDGeode& geode)
   const bool inFrustum = std::none_of(this->view.planes.begin(), this->view.planes.end(),
                                       [&](const glm::dvec4& plane) { return allOutside(plane, corners); });
   path.inView = inFrustum && this->isDrawn();
+  if (path.inView)
+  {
+    this->receivers = joined(this->receivers, coverOf(corners, this->view));
+  }
   for (std::size_t i = 0; i < this->lights.size(); ++i)
   {
     const Light& light = this->lights[i];

@@ -12,6 +12,7 @@
 #include "NodeVisitor.h"
 #include "SEDGeode.h"
 #include "SceneBoundsVisitor.h"
+#include "ScreenRectangle.h"
 #include "View.h"
 
 namespace shadow
@@ -56,6 +57,9 @@ public:
   int getCasters() const { return this->casters; } ///< counted once for each path and light
   int getZFailCasters() const { return this->zFailCasters; }
 
+  /// Pixels that show a surface, and some around them.
+  const ScreenRectangle& getReceivers() const { return this->receivers; }
+
 private:
   CasterPlan plan(std::size_t lightPlace, const BoxCorners& corners, bool inFrustum) const;
   bool nothingBehind(const SEDGeometry& geometry, const glm::dmat4& wcFromModel, const Light& light) const;
@@ -70,6 +74,7 @@ private:
   std::array<glm::dvec4, 6> scenePlanes; ///< just outside the scene's bounding box, inside positive
   std::vector<std::vector<glm::dvec4>> nearVolumes; ///< a light: planes around near rectangle and light
   std::set<Skipped> skipped;
+  ScreenRectangle receivers;
   int casters = 0;
   int zFailCasters = 0;
 };

@@ -6,6 +6,10 @@ namespace shadow
 void DrawVisitor::apply(SEDGeode& geode)
 {
   PathState& path = geode.getPathState(this->getPath());
+  if (path.batched)
+  {
+    return;
+  }
   if (geode.renderMode.what == RenderMode::What::Geometry)
   {
     if (path.inView && path.reachableRevision != 0)

@@ -19,7 +19,7 @@ class vtkShaderProgram;
 namespace shadow
 {
 
-/// Draws every SEDGeode in the mode that the SVStateVisitor has set.
+/// Draws every SEDGeode that is in no batch in the mode that the SVStateVisitor has set.
 class DrawVisitor : public NodeVisitor
 {
 public:

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <vtkOpenGLRenderWindow.h>
@@ -20,7 +21,7 @@ namespace
 {
 
 /// What decides which parts of the GL are used.
-using Way = std::tuple<SilhouetteMethod, CountBuffer, int, bool>;
+using Way = std::tuple<SilhouetteMethod, CountBuffer, int, bool, bool>;
 
 /// The faults that were found, by GL context. VTK numbers contexts by the time at which they were made,
 /// which is another for each.
@@ -75,14 +76,21 @@ std::optional<std::string> findFault(vtkOpenGLRenderWindow* window, ShadowVolume
   effect.clearChildren();
   scene.addTo(effect);
   settings.coplanarTolerance = 0.0;
-  settings.savings = NoSavings;
+  const int batches = settings.savings;
   settings.findHiddenBacks = false;
   settings.waitAfterStages = false;
   std::vector<std::vector<unsigned char>> masks; // of one light after the other
   std::string refusal;
-  for (const StencilMethod stencilMethod : {StencilMethod::ZFail, StencilMethod::Auto})
+  // Where meshes are drawn together, large ones are drawn alone all the same.
+  std::vector<std::pair<StencilMethod, int>> ways = {{StencilMethod::ZFail, batches}, {StencilMethod::Auto, batches}};
+  if (batches != 0)
+  {
+    ways.emplace_back(StencilMethod::Auto, NoSavings);
+  }
+  for (const auto& [stencilMethod, savings] : ways)
   {
     settings.stencilMethod = stencilMethod;
+    settings.savings = savings;
     if (refusal.empty() &&
         effect.renderMask(window, scene.getView(), scene.getLights(), settings, refusal))
     {
@@ -125,13 +133,16 @@ MethodCheck checkMethod(vtkOpenGLRenderWindow* window, ShadowVolumeEffect& effec
   // Methods on the CPU have one way through the GL.
   const SilhouetteMethod method =
       isOnGPU(settings.silhouetteMethod) ? settings.silhouetteMethod : SilhouetteMethod::Auto;
-  const Way way(method, effect.chooseCountBuffer(settings.countBuffer, samples), samples, parallelView);
+  const bool batched = !isOnGPU(method) && (settings.savings & Batches) != 0;
+  const Way way(method, effect.chooseCountBuffer(settings.countBuffer, samples), samples, parallelView, batched);
   const vtkMTimeType context = window->GetContextCreationTime();
   MethodCheck check;
   std::optional<std::string> fault = knownFaults.find(context, way);
   if (!fault)
   {
-    fault = findFault(window, effect, settings, parallelView);
+    ShadowVolumeEffect::Settings checked = settings;
+    checked.savings = batched ? Batches : NoSavings;
+    fault = findFault(window, effect, checked, parallelView);
     if (fault)
     {
       knownFaults.add(context, way, *fault);

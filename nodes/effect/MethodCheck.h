@@ -19,7 +19,7 @@ struct MethodCheck
 
 /// Has an effect draw KnownScene, by z-fail and by what Auto chooses, unless that was done before in the
 /// window's GL context for the same way through the GL: method (one for all on the CPU), count buffer, samples,
-/// parallel or perspective view.
+/// parallel or perspective view, meshes drawn together or not.
 ///
 /// What is not drawn at all, since the GL refuses it, is no fault: who draws the picture will be told.
 ///

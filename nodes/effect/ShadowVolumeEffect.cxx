@@ -62,6 +62,7 @@ bool ShadowVolumeEffect::renderMask(vtkOpenGLRenderWindow* window, const View& v
     this->madeFrom.reset();
   }
   this->drawables.sweep();
+  this->dropUnusedBatches(lights);
   return succeeds;
 }
 
@@ -115,6 +116,9 @@ void ShadowVolumeEffect::cull(const Frame& frame)
   this->statistics.casters = culler.getCasters();
   this->statistics.zFailCasters = culler.getZFailCasters();
   this->statistics.skipped = culler.getSkipped();
+  this->counted = (frame.settings.savings & Scissor) != 0 ? culler.getReceivers() : wholeView(frame.view);
+  const glm::ivec2 size = this->counted.upper - this->counted.lower;
+  this->statistics.countedPixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
 }
 
 bool ShadowVolumeEffect::findFacing(const Frame& frame, std::string& /*error*/)
@@ -225,11 +229,20 @@ bool ShadowVolumeEffect::drawSurfaces(const Frame& frame, std::string& error)
     return false;
   }
   setDepthBias(program, this->depthRange.reversed, false);
+  this->gatherBatch(frame);
   DrawVisitor draw(this->makeDrawPass(program, frame));
-  this->accept(draw);
+  if (this->batchCollector.hasSurfacesAlone())
+  {
+    this->accept(draw);
+  }
+  this->statistics.prePassTriangles = draw.getCounts().geometry;
+  if (!this->drawBatchedSurfaces(frame))
+  {
+    error = unusableShader;
+    return false;
+  }
   ShadowPrograms programs(frame.window);
   this->hiddenBacks.ask(frame.window->GetState(), programs, this->target);
-  this->statistics.prePassTriangles = draw.getCounts().geometry;
   return true;
 }
 
@@ -250,6 +263,7 @@ void ShadowVolumeEffect::release(bool contextLost)
 {
   this->target.release(contextLost);
   this->drawables.release(contextLost);
+  this->releaseBatches(contextLost);
   this->hiddenBacks.release(contextLost);
   this->madeFrom.reset();
   this->capabilitiesKnown = false;
@@ -257,7 +271,7 @@ void ShadowVolumeEffect::release(bool contextLost)
 
 std::size_t ShadowVolumeEffect::getGraphicsMemorySize() const
 {
-  return this->target.getMemorySize() + this->drawables.getMemorySize();
+  return this->target.getMemorySize() + this->drawables.getMemorySize() + this->getBatchMemorySize();
 }
 
 } // namespace shadow

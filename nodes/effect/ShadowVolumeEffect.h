@@ -6,8 +6,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "BatchCollector.h"
 #include "Capabilities.h"
 #include "CasterCuller.h"
 #include "DrawVisitor.h"
@@ -20,9 +22,12 @@
 #include "Node.h"
 #include "Savings.h"
 #include "SceneBoundsVisitor.h"
+#include "ScreenRectangle.h"
 #include "ShadowTarget.h"
 #include "SilhouetteFinder.h"
+#include "SurfaceBatch.h"
 #include "View.h"
+#include "VolumeBatch.h"
 
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
@@ -30,6 +35,8 @@ class vtkShaderProgram;
 
 namespace shadow
 {
+
+class CountedFolds;
 
 /// Root of the scene graph, and the passes that turn the graph below it into a shadow mask (the thesis's
 /// ShadowVolume effect, with the silhouette found on the CPU).
@@ -67,7 +74,9 @@ public:
   struct Statistics : VolumeCounts
   {
     std::size_t prePassTriangles = 0;
+    std::size_t countedPixels = 0; ///< that volumes are counted in, for each light
     int keptLights = 0; ///< whose part of the mask was there already
+    std::size_t batchedSurfaces = 0; ///< meshes that were drawn together, counted once for each path
     int casters = 0;
     int zFailCasters = 0;
     int rebuiltVolumes = 0;
@@ -139,6 +148,9 @@ protected:
 
   static constexpr const char* unusableShader = "a shader of the shadow stages does not compile on this GL";
 
+  /// Pixels that volumes are counted in.
+  const ScreenRectangle& getCounted() const { return this->counted; }
+
   DrawableCache& getDrawables() { return this->drawables; }
   Statistics& changeStatistics() { return this->statistics; }
 
@@ -153,6 +165,13 @@ private:
   bool drawStages(const Frame& frame, std::string& error);
   bool drawPrePass(const Frame& frame, std::string& error);
   void markBacks(const Frame& frame);
+  void gatherBatch(const Frame& frame);
+  bool drawBatchedSurfaces(const Frame& frame);
+  bool drawVolumesAlone(const Frame& frame, const Light& light, StencilCount count, CountedFolds& folds);
+  bool drawBatchedVolumes(const Frame& frame, const Light& light, StencilCount count, CountedFolds& folds);
+  void dropUnusedBatches(const std::vector<Light>& lights);
+  void releaseBatches(bool contextLost);
+  std::size_t getBatchMemorySize() const;
   void chooseDepthRange(const View& view, const SceneBounds& bounds);
 
   std::unique_ptr<SilhouetteFinder> finder; ///< kept while its settings are, and volumes with it
@@ -164,7 +183,11 @@ private:
   int viewSamples = 0;                            ///< a pixel of the framebuffer that VTK draws into
   CountBuffer countBuffer = CountBuffer::Stencil; ///< of the coming frame
   DrawableCache drawables;
+  BatchCollector batchCollector;
+  SurfaceBatch batch;
+  std::map<std::pair<int, StencilCount>, VolumeBatch> volumeBatches; ///< by Light::index
   DepthRange depthRange;
+  ScreenRectangle counted;
   HiddenBacks hiddenBacks;
   Statistics statistics;
   std::optional<MaskInputs> madeFrom;        ///< of the mask; nothing where there is none to be kept

@@ -153,8 +153,8 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
   {
     return this->ShadowVolumeEffect::drawVolumes(frame, light, error);
   }
-  this->getTarget().beginCount(frame.window->GetState());
-  bool counted = false;
+  this->getTarget().beginCount(frame.window->GetState(), this->getCounted());
+  bool hasCounted = false;
   for (const StencilCount count : {StencilCount::ZPass, StencilCount::ZFail})
   {
     SVStateVisitor volumeMode(RenderMode{RenderMode::What::Volume, light.index, count});
@@ -164,16 +164,16 @@ bool ShadowVolumeGPUEffect::drawVolumes(const Frame& frame, const Light& light, 
     this->method->unbind();
     this->changeStatistics().sideTriangles += draw.getCounts().sides;
     this->changeStatistics().capTriangles += draw.getCounts().caps;
-    counted = counted || draw.hasDrawn();
+    hasCounted = hasCounted || draw.hasDrawn();
     error = draw.getError();
     if (!error.empty() || !this->drawExactVolumes(frame, count, error))
     {
       return false;
     }
   }
-  counted = counted || this->hasExactVolumes;
+  hasCounted = hasCounted || this->hasExactVolumes;
   ShadowPrograms programs(frame.window);
-  if (counted && !this->getTarget().foldCount(frame.window->GetState(), programs, light.index,
+  if (hasCounted && !this->getTarget().foldCount(frame.window->GetState(), programs, light.index,
                                               this->getDepthRange().reversed))
   {
     error = "the shader that folds counts into the mask does not compile on this GL";

@@ -90,6 +90,7 @@ struct PathState
   MarkedSide reachableMarked;                 ///< what reachableBits have
   std::uint64_t reachableRevision = 0;        ///< another value whenever reachableBits changed
   bool inView = true; ///< the geometry may be seen, so that facing is wanted for the pre-pass
+  bool batched = false; ///< drawn together with others, see SurfaceBatch, in the coming passes
   bool used = false;  ///< met since the last call of dropUnusedPaths()
 };
 

@@ -9,6 +9,8 @@
 #include "Stopwatch.h"
 
 static_assert(int{vtkShadowVolumePass::SAVINGS_KEPT_MASKS} == int{shadow::KeptMasks} &&
+              int{vtkShadowVolumePass::SAVINGS_BATCHES} == int{shadow::Batches} &&
+              int{vtkShadowVolumePass::SAVINGS_SCISSOR} == int{shadow::Scissor} &&
               int{vtkShadowVolumePass::SAVINGS_ALL} == int{shadow::AllSavings});
 
 //------------------------------------------------------------------------------

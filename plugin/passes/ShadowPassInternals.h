@@ -73,8 +73,8 @@ public:
     /// Has the effect that a silhouette method needs.
     void ChooseEffect(shadow::SilhouetteMethod method);
 
-    /// Whether the effect draws right in this context. Where it does so only with another count buffer than
-    /// the one in @p settings, and may, it gets that.
+    /// Whether the effect draws right in this context. Where it does so only without Batches, or with another
+    /// count buffer than the one in @p settings, and may, it gets that.
     /// @param note  one line more when it does
     /// @param fault  one line when nothing is right
     /// @pre   ChooseEffect()

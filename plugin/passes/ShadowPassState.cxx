@@ -111,10 +111,21 @@ bool vtkShadowVolumePass::vtkInternals::RendererState::CheckEffect(
     this->CheckMilliseconds += result.milliseconds;
     return result;
   };
+  const auto addNote = [&](const std::string& remedy)
+  { note += (note.empty() ? "" : "\n") + toString(settings.silhouetteMethod) + ": " + fault + "; " + remedy; };
   fault = check().fault;
   if (fault.empty())
   {
     return true;
+  }
+  if ((settings.savings & shadow::Batches) != 0)
+  {
+    settings.savings &= ~shadow::Batches;
+    if (check().fault.empty())
+    {
+      addNote("small meshes are drawn one by one instead");
+      return true;
+    }
   }
   const auto choose = [&](shadow::CountBuffer wanted)
   { return this->Effect->chooseCountBuffer(wanted, settings.samples); };
@@ -130,8 +141,7 @@ bool vtkShadowVolumePass::vtkInternals::RendererState::CheckEffect(
   {
     return false;
   }
-  note += (note.empty() ? "" : "\n") + toString(settings.silhouetteMethod) + ": " + fault +
-          "; it counts in " + (color ? "the stencil" : "colour") + " instead";
+  addNote(std::string("it counts in ") + (color ? "the stencil" : "colour") + " instead");
   return true;
 }
 

@@ -215,13 +215,16 @@ public:
   vtkGetMacro(Scope, int);
   ///@}
 
-  /// What a rendering may take over from the one before; flags, to be added up.
+  /// Work that a rendering may leave out; flags, to be added up.
   enum SavingsFlags
   {
     SAVINGS_NONE = 0,
-    SAVINGS_KEPT_MASKS = 1, ///< the shadow mask while nothing changes that it depends on; while only lights do,
-                            ///< that of the other lights
-    SAVINGS_ALL = SAVINGS_KEPT_MASKS
+    SAVINGS_KEPT_MASKS = 1, ///< the shadow mask is kept while nothing changes that it depends on; while only
+                            ///< lights do, that of the other lights
+    SAVINGS_BATCHES = 2,    ///< meshes of up to 512 triangles are drawn together, by methods that find silhouettes
+                            ///< on the CPU
+    SAVINGS_SCISSOR = 4,    ///< volumes are counted only in the rectangle of the view that surfaces lie in
+    SAVINGS_ALL = SAVINGS_KEPT_MASKS | SAVINGS_BATCHES | SAVINGS_SCISSOR
   };
 
   ///@{
@@ -281,6 +284,7 @@ public:
    * buffer is counted apart.
    */
   vtkIdType GetPrePassTriangles() const;
+  vtkIdType GetCountedPixels() const;     ///< of the view, in which each light's volumes are counted, see Savings
   vtkIdType GetAmbientTriangles() const;  ///< Mask: the one opaque pass
   vtkIdType GetSideTriangles() const;     ///< all lights
   vtkIdType GetCapTriangles() const;      ///< all lights
@@ -296,6 +300,7 @@ public:
    */
   int GetNumberOfShadowLights() const;
   int GetNumberOfKeptLights() const;     ///< of these, whose part of the mask was kept, see Savings
+  int GetNumberOfBatchedMeshes() const;  ///< that were drawn together with others, see Savings
   int GetNumberOfCasters() const;        ///< whose volume was drawn
   int GetNumberOfZFailCasters() const;   ///< of these, by z-fail
   int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before; 0 for

@@ -35,6 +35,11 @@ vtkIdType vtkShadowVolumePass::GetPrePassTriangles() const
   return static_cast<vtkIdType>(this->Internals->GetStatistics().prePassTriangles);
 }
 
+vtkIdType vtkShadowVolumePass::GetCountedPixels() const
+{
+  return static_cast<vtkIdType>(this->Internals->GetStatistics().countedPixels);
+}
+
 vtkIdType vtkShadowVolumePass::GetAmbientTriangles() const
 {
   return this->Internals->Current != nullptr
@@ -77,6 +82,11 @@ int vtkShadowVolumePass::GetNumberOfShadowLights() const
 int vtkShadowVolumePass::GetNumberOfKeptLights() const
 {
   return this->Internals->GetStatistics().keptLights;
+}
+
+int vtkShadowVolumePass::GetNumberOfBatchedMeshes() const
+{
+  return static_cast<int>(this->Internals->GetStatistics().batchedSurfaces);
 }
 
 int vtkShadowVolumePass::GetNumberOfCasters() const

@@ -3,6 +3,7 @@ add_executable(test_scene_graph
   scene/CollectionLaws.cxx
   scene/test_scene_frame.cxx
   scene/test_scene_graph.cxx
+  scene/test_screen_rectangle.cxx
   scene/test_vet_collector.cxx
   scene/test_vet_collector_changes.cxx)
 target_link_libraries(test_scene_graph PRIVATE
@@ -22,6 +23,7 @@ if(VTKSHADOW_HEADLESS)
     pass/test_gpu_silhouette.cxx
     pass/test_hidden_backs.cxx
     pass/test_pass_additive.cxx
+    pass/test_pass_batches.cxx
     pass/test_pass_changes.cxx
     pass/test_pass_growth.cxx
     pass/test_pass_kept.cxx
@@ -31,6 +33,7 @@ if(VTKSHADOW_HEADLESS)
     pass/test_pass_mappers.cxx
     pass/test_pass_materials.cxx
     pass/test_pass_reports.cxx
+    pass/test_pass_scissor.cxx
     pass/test_pass_state.cxx
     pass/test_pass_totals.cxx
     pass/test_pass_uses.cxx

@@ -175,6 +175,8 @@ Json describeRendering(vtkShadowVolumePass* pass, double frameMilliseconds)
   result["silhouetteEdges"] = pass->GetSilhouetteEdges();
   result["shadowLights"] = pass->GetNumberOfShadowLights();
   result["keptLights"] = pass->GetNumberOfKeptLights();
+  result["countedPixels"] = pass->GetCountedPixels();
+  result["batchedMeshes"] = pass->GetNumberOfBatchedMeshes();
   result["casters"] = {{"drawn", pass->GetNumberOfCasters()},
                        {"zfail", pass->GetNumberOfZFailCasters()},
                        {"rebuilt", pass->GetNumberOfRebuiltVolumes()},

@@ -7,16 +7,16 @@
 namespace shadow
 {
 
-bool BufferTexels::canLookUp(std::size_t numbers)
+std::size_t BufferTexels::findMost()
 {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  return numbers <= static_cast<std::size_t>(most);
+  return static_cast<std::size_t>(most);
 }
 
-bool BufferTexels::attach(unsigned int buffer, std::size_t numbers)
+bool BufferTexels::attach(unsigned int buffer, std::size_t texels)
 {
-  if (!canLookUp(numbers))
+  if (texels > findMost())
   {
     return false;
   }
@@ -29,7 +29,8 @@ bool BufferTexels::attach(unsigned int buffer, std::size_t numbers)
   glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &before);
   glGenTextures(1, &this->texture);
   glBindTexture(GL_TEXTURE_BUFFER, this->texture);
-  glTexBuffer(GL_TEXTURE_BUFFER, this->number == Number::Float ? GL_R32F : GL_R32UI, buffer);
+  const GLenum single = this->number == Number::Float ? GL_R32F : GL_R32UI;
+  glTexBuffer(GL_TEXTURE_BUFFER, this->number == Number::Float4 ? GL_RGBA32F : single, buffer);
   glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(before));
   this->attached = buffer;
   return true;

@@ -7,26 +7,28 @@ class vtkOpenGLState;
 namespace shadow
 {
 
-/// A buffer on the GPU as a shader looks it up by index, one 32-bit number a texel: a GL_TEXTURE_BUFFER.
+/// A buffer on the GPU as a shader looks it up by index: a GL_TEXTURE_BUFFER.
 class BufferTexels
 {
 public:
+  /// What a texel is.
   enum class Number
   {
     Float,
-    Unsigned
+    Unsigned,
+    Float4
   };
 
   explicit BufferTexels(Number kind) : number(kind) {}
   BufferTexels(const BufferTexels&) = delete;
   BufferTexels& operator=(const BufferTexels&) = delete;
 
-  /// Whether the GL can look up so many numbers.
-  static bool canLookUp(std::size_t numbers);
+  /// How many texels the GL can look up.
+  static std::size_t findMost();
 
   /// Looks into a buffer that belongs to somebody else.
-  /// @return false when the GL can look up fewer numbers than that
-  bool attach(unsigned int buffer, std::size_t numbers);
+  /// @return false when the GL can look up fewer texels than that
+  bool attach(unsigned int buffer, std::size_t texels);
 
   /// Binds the texels to a texture unit, and sets the program's sampler.
   /// @param program  name of a GL program that is current

@@ -22,6 +22,41 @@ inline void bindFloats(vtkShaderProgram* program, const char* attribute, unsigne
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+/// Where an attribute's values lie in a buffer.
+struct AttributeLayout
+{
+  int tupleSize;
+  GLenum type; ///< GL_UNSIGNED_INT stays whole numbers
+  std::size_t stride;
+  std::size_t offset;
+};
+
+/// Points an attribute of the program at values in a buffer; one that the program lacks is left out.
+/// @pre a vertex array is bound
+inline void bindAttribute(vtkShaderProgram* program, const char* attribute, unsigned int buffer,
+                          const AttributeLayout& layout)
+{
+  const GLint location = glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), attribute);
+  if (location < 0)
+  {
+    return;
+  }
+  const auto index = static_cast<GLuint>(location);
+  const auto stride = static_cast<GLsizei>(layout.stride);
+  const void* offset = reinterpret_cast<const void*>(layout.offset); // NOLINT: GL takes offsets as pointers
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glEnableVertexAttribArray(index);
+  if (layout.type == GL_UNSIGNED_INT)
+  {
+    glVertexAttribIPointer(index, layout.tupleSize, layout.type, stride, offset);
+  }
+  else
+  {
+    glVertexAttribPointer(index, layout.tupleSize, layout.type, GL_FALSE, stride, offset);
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
 /// Draws triangles of the bound index buffer. @pre a vertex array with 32-bit indices is bound
 inline void drawTriangles(std::size_t first, std::size_t count)
 {

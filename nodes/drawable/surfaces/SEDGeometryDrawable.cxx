@@ -3,60 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
 #include "BufferUpload.h"
+#include "PrePassMesh.h"
 #include "VertexLayout.h"
 
 namespace shadow
 {
-
-namespace
-{
-
-struct PrePassMesh
-{
-  std::vector<glm::vec3>
-      positions; ///< [t] is the last corner of triangle t; after these, corners that are last nowhere
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-PrePassMesh giveTrianglesTheirOwnVertex(const SEDGeometry& geometry)
-{
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  const auto& triangles = geometry.getTriangles();
-  std::vector<std::uint32_t> copyOf(geometry.getPositions().size(), none);
-  PrePassMesh mesh;
-  mesh.triangles = triangles;
-  mesh.positions.reserve(triangles.size() + triangles.size() / 8);
-  for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
-  {
-    const std::uint32_t last = triangles[triangle][2];
-    mesh.positions.push_back(geometry.getPositions()[last]);
-    mesh.triangles[triangle][2] = static_cast<std::uint32_t>(triangle);
-    copyOf[last] = copyOf[last] == none ? static_cast<std::uint32_t>(triangle) : copyOf[last];
-  }
-  for (auto& triangle : mesh.triangles)
-  {
-    for (const std::size_t corner : {0, 1})
-    {
-      std::uint32_t& copy = copyOf[triangle[corner]];
-      if (copy == none)
-      {
-        copy = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(geometry.getPositions()[triangle[corner]]);
-      }
-      triangle[corner] = copy;
-    }
-  }
-  return mesh;
-}
-
-} // namespace
 
 SEDGeometryDrawable::SEDGeometryDrawable(const SEDGeometry& sedGeometry)
     : geometry(&sedGeometry), triangles(sedGeometry.getTriangles().size())
@@ -81,7 +38,7 @@ std::size_t SEDGeometryDrawable::update(const SEDGeometry& moved)
 
 std::size_t SEDGeometryDrawable::uploadPositions()
 {
-  PrePassMesh mesh = giveTrianglesTheirOwnVertex(*this->geometry);
+  PrePassMesh mesh = makePrePassMesh(*this->geometry);
   this->vertices = mesh.positions.size();
   glBindVertexArray(this->vertexArray);
   std::size_t copied = uploadBuffer(GL_ARRAY_BUFFER, this->vertexBuffer, mesh.positions, GL_STATIC_DRAW);
@@ -137,14 +94,11 @@ void SEDGeometryDrawable::bind(vtkShaderProgram* program, const ReachableBitsBuf
 {
   glBindVertexArray(this->vertexArray);
   bindFloats(program, "vertexMC", this->vertexBuffer, 3);
-  const GLint bits = glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "reachableBits");
-  if (bits >= 0 && reachableBits != nullptr)
+  if (reachableBits != nullptr)
   {
-    glBindBuffer(GL_ARRAY_BUFFER, reachableBits->getBuffer());
-    glEnableVertexAttribArray(static_cast<GLuint>(bits));
     // Vertices after the triangles' own provoke nothing: what they read does not matter.
-    glVertexAttribIPointer(static_cast<GLuint>(bits), 2, GL_UNSIGNED_INT, sizeof(glm::uvec2), nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    bindAttribute(program, "reachableBits", reachableBits->getBuffer(),
+                  {2, GL_UNSIGNED_INT, sizeof(glm::uvec2), 0});
   }
 }
 
@@ -193,7 +147,7 @@ void SEDGeometryDrawable::drawCulled(vtkOpenGLState* state, unsigned int hiddenS
   if (this->sortedIndexBuffer == 0)
   {
     glGenBuffers(1, &this->sortedIndexBuffer);
-    this->uploadSortedByWinding(giveTrianglesTheirOwnVertex(*this->geometry).triangles);
+    this->uploadSortedByWinding(makePrePassMesh(*this->geometry).triangles);
   }
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->sortedIndexBuffer);
   state->vtkglEnable(GL_CULL_FACE);

@@ -25,10 +25,7 @@ struct FaceRun;
 
 /// The GPU copy of a SEDGeometry.
 ///
-/// For the volumes each vertex stands there twice: near and far copy. For the pre-pass each triangle has a
-/// vertex of its own, its last in raster order, that carries the triangle's bits; the other corners are
-/// shared. This spares the gl_PrimitiveID that would make a software rasteriser copy every corner of every
-/// triangle.
+/// For the volumes each vertex stands there twice: near and far copy. For the pre-pass see PrePassMesh.
 class SEDGeometryDrawable
 {
 public:

@@ -61,7 +61,7 @@ bool SEDGeometryDrawable::drawFaces(vtkOpenGLState* state, vtkShaderProgram* pro
                                     const std::vector<FaceRun>& split)
 {
   const std::size_t normals = 3 * this->triangles;
-  if (!BufferTexels::canLookUp(normals) || !this->bindFaceTexels(state, program))
+  if (normals > BufferTexels::findMost() || !this->bindFaceTexels(state, program))
   {
     return false;
   }

@@ -108,12 +108,18 @@ void setUniform(vtkShaderProgram* program, const char* name, const glm::dvec4& v
   program->SetUniform4f(name, glm::value_ptr(values));
 }
 
-void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC, double reach)
+LightValues makeLightValues(const glm::dvec4& lightMC, double reach)
 {
   const SplitVector parts = split(glm::dvec3(lightMC));
-  setUniform(program, "lightMC", glm::dvec4(parts.high, lightMC.w));
-  program->SetUniform3f("lightLowMC", glm::value_ptr(parts.low));
-  program->SetUniformf("rayLength", static_cast<float>(0.125 * reach));
+  return {glm::vec4(parts.high, lightMC.w), parts.low, static_cast<float>(0.125 * reach)};
+}
+
+void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC, double reach)
+{
+  const LightValues values = makeLightValues(lightMC, reach);
+  program->SetUniform4f("lightMC", glm::value_ptr(values.lightMC));
+  program->SetUniform3f("lightLowMC", glm::value_ptr(values.lightLowMC));
+  program->SetUniformf("rayLength", values.rayLength);
 }
 
 } // namespace shadow

@@ -74,10 +74,19 @@ void setDepthBias(vtkShaderProgram* program, bool reversedDepth, bool asSides,
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);
 void setUniform(vtkShaderProgram* program, const char* name, const glm::dvec4& vector);
 
-/// The light of a volume, with twice the digits of a float: see shaders/extrusion.glsl.
-///
+/// The light of a volume as shaders/extrusion.glsl takes it, with twice the digits of a float.
+struct LightValues
+{
+  glm::vec4 lightMC;
+  glm::vec3 lightLowMC;
+  float rayLength;
+};
+
 /// @param lightMC  relative to the geometry's origin; w = 1: position; w = 0: direction towards the light
 /// @param reach    SEDGeometry::getReach()
+LightValues makeLightValues(const glm::dvec4& lightMC, double reach);
+
+/// Hands these to the program.
 void setLight(vtkShaderProgram* program, const glm::dvec4& lightMC, double reach);
 
 } // namespace shadow

@@ -120,8 +120,11 @@ void ShadowTarget::begin(vtkOpenGLState* state, bool reversedDepth)
   }
 }
 
-void ShadowTarget::beginCount(vtkOpenGLState* state)
+void ShadowTarget::beginCount(vtkOpenGLState* state, const ScreenRectangle& counted)
 {
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(counted.lower.x, counted.lower.y, counted.upper.x - counted.lower.x,
+                      counted.upper.y - counted.lower.y);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
   if (this->buffer == CountBuffer::Stencil)
@@ -161,6 +164,7 @@ bool ShadowTarget::foldCount(vtkOpenGLState* state, ShadowPrograms& programs, in
     state->vtkglStencilOpSeparate(GL_FRONT_AND_BACK, GL_ZERO, GL_ZERO, GL_ZERO);
   }
   this->combineWithMask(state, program, this->countTexture, "counts", reversedDepth);
+  state->vtkglDisable(GL_SCISSOR_TEST);
   return true;
 }
 

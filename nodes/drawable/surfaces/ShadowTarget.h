@@ -7,6 +7,7 @@
 
 #include "FaceCounter.h"
 #include "KeptBits.h"
+#include "ScreenRectangle.h"
 
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
@@ -36,10 +37,12 @@ public:
   void begin(vtkOpenGLState* state, bool reversedDepth);
 
   /// Makes ready for counting faces with a FaceCounter, from zero.
-  void beginCount(vtkOpenGLState* state);
+  /// @param counted  faces are counted, and folded, in these pixels only
+  void beginCount(vtkOpenGLState* state, const ScreenRectangle& counted);
 
   /// Where the count is not zero and there is a surface, takes the light's bit out of the mask.
   /// @pre   beginCount() called since the last fold
+  /// @post  there is no scissor
   /// @return false when the shader does not compile
   bool foldCount(vtkOpenGLState* state, ShadowPrograms& programs, int light, bool reversedDepth);
 

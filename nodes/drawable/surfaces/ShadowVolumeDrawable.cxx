@@ -10,7 +10,7 @@
 namespace shadow
 {
 
-std::size_t ShadowVolumeDrawable::Indices::upload(const std::vector<std::pair<const Faces*, Batch>>& lists)
+std::size_t ShadowVolumeDrawable::Indices::upload(const std::vector<Faces>& lists)
 {
   if (this->vertexArray == 0)
   {
@@ -19,22 +19,22 @@ std::size_t ShadowVolumeDrawable::Indices::upload(const std::vector<std::pair<co
   }
   this->batches.clear();
   std::size_t triangles = 0;
-  for (const auto& [faces, batch] : lists)
+  for (const Faces& faces : lists)
   {
-    this->batches.push_back({faces->size(), batch.multiplicity, batch.inward, batch.side});
-    triangles += faces->size();
+    this->batches.push_back({faces.triangles->size(), faces.kind});
+    triangles += faces.triangles->size();
   }
   const std::size_t size = triangles * sizeof(ShadowVolume::Triangle);
   glBindVertexArray(this->vertexArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->indexBuffer);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_STREAM_DRAW);
   GLintptr offset = 0;
-  for (const auto& [faces, batch] : lists)
+  for (const Faces& faces : lists)
   {
-    const auto part = static_cast<GLsizeiptr>(faces->size() * sizeof(ShadowVolume::Triangle));
+    const auto part = static_cast<GLsizeiptr>(faces.triangles->size() * sizeof(ShadowVolume::Triangle));
     if (part > 0)
     {
-      glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, offset, part, faces->data());
+      glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, offset, part, faces.triangles->data());
     }
     offset += part;
   }
@@ -51,8 +51,8 @@ void ShadowVolumeDrawable::Indices::draw(const FaceCounter& counter, unsigned in
   {
     if (batch.triangles > 0)
     {
-      setDepthBias(counter.getProgram(), counter.isDepthReversed(), batch.side);
-      counter.count(batch.multiplicity, batch.inward, [&] { drawTriangles(first, batch.triangles); });
+      setDepthBias(counter.getProgram(), counter.isDepthReversed(), batch.kind.side);
+      counter.count(batch.kind.multiplicity, batch.kind.inward, [&] { drawTriangles(first, batch.triangles); });
     }
     first += batch.triangles;
   }
@@ -69,25 +69,27 @@ void ShadowVolumeDrawable::Indices::release(bool contextLost)
   this->vertexArray = this->indexBuffer = 0;
 }
 
+template <class Owner, std::size_t count>
+std::vector<ShadowVolumeDrawable::Faces>
+ShadowVolumeDrawable::listFaces(const Owner& owner, const std::array<FacesOf<Owner>, count>& kinds)
+{
+  std::vector<Faces> lists;
+  for (const FacesOf<Owner>& faces : kinds)
+  {
+    lists.push_back({&(owner.*faces.triangles), faces.kind});
+  }
+  return lists;
+}
+
 void ShadowVolumeDrawable::upload(const ShadowVolume& volume)
 {
-  const Batch side{0, 1, false, true};
-  const Batch doubledSide{0, 2, false, true};
-  const Batch cap{0, 1, false, false};
-  this->bytes = this->whole.upload({{&volume.sides, side},
-                                    {&volume.doubledSides, doubledSide},
-                                    {&volume.lightCap, cap},
-                                    {&volume.darkCap, cap},
-                                    {&volume.doubledDarkCap, {0, 2, false, false}},
-                                    {&volume.lightCapReversed, {0, 1, true, false}}});
+  this->bytes = this->whole.upload(listFaces(volume, volumeFaces));
   if (volume.close.vertices.empty())
   {
     this->close.batches.clear();
     return;
   }
-  this->bytes += this->close.upload({{&volume.close.sides, side},
-                                     {&volume.close.doubledSides, doubledSide},
-                                     {&volume.close.darkCap, cap}});
+  this->bytes += this->close.upload(listFaces(volume.close, closeFaces));
   if (this->closeVertexBuffer == 0)
   {
     glGenBuffers(1, &this->closeVertexBuffer);

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "FaceCounter.h"
 #include "SEDGeode.h"
 #include "ShadowVolume.h"
+#include "VolumeFaces.h"
 
 namespace shadow
 {
@@ -35,17 +36,19 @@ public:
   bool used = false;          ///< since the cache was swept last
 
 private:
-  /// Faces with one way to be counted, in the order of their buffer.
+  struct Faces
+  {
+    const std::vector<ShadowVolume::Triangle>* triangles;
+    FaceKind kind;
+  };
+  /// The same as they lie in a buffer, one behind the other.
   struct Batch
   {
     std::size_t triangles;
-    int multiplicity;
-    bool inward; ///< clockwise seen from outside
-    bool side;
+    FaceKind kind;
   };
-  using Faces = std::vector<ShadowVolume::Triangle>;
 
-  /// Index lists one behind the other, in a buffer of their own.
+  /// Index lists in a buffer of their own.
   struct Indices
   {
     unsigned int vertexArray = 0;
@@ -53,10 +56,13 @@ private:
     std::vector<Batch> batches;
 
     /// @return bytes
-    std::size_t upload(const std::vector<std::pair<const Faces*, Batch>>& lists);
+    std::size_t upload(const std::vector<Faces>& lists);
     void draw(const FaceCounter& counter, unsigned int vertexBuffer) const;
     void release(bool contextLost);
   };
+
+  template <class Owner, std::size_t count>
+  static std::vector<Faces> listFaces(const Owner& owner, const std::array<FacesOf<Owner>, count>& kinds);
 
   Indices whole;
   Indices close; ///< ShadowVolume::close

@@ -40,6 +40,7 @@ bool SceneBuilder::update(vtkRenderer* renderer, const Settings& settings, Group
   this->blendedAsOpaque = false;
   this->unlit = 0;
   this->propNumber = -1;
+  this->updated.clear();
   root.clearChildren();
   // All props, not those that VTK's cullers left: a caster outside the view may shadow what is inside.
   vtkPropCollection* props = renderer->GetViewProps();
@@ -117,7 +118,10 @@ void SceneBuilder::addActor(Placement& placement, const PropPath& path, vtkMatri
   {
     return;
   }
-  mapper->Update();
+  if (this->updated.insert(mapper).second)
+  {
+    mapper->Update();
+  }
   const bool isForced = actor->GetForceOpaque() && isBlendedAsOpaque(actor);
   if (!actor->HasOpaqueGeometry() || isForced)
   {

@@ -125,6 +125,7 @@ private:
   std::map<PropPath, PlacedActor> transforms;
   std::set<vtkProp*> mirrored;
   std::set<vtkMapper*> mappersOfOthers; ///< of actors that are not mirrored
+  std::set<vtkMapper*> updated;         ///< in this update()
   std::set<CasterCuller::Skipped> skipped;
   std::vector<std::string> errors;
   std::multimap<std::size_t, std::string> errorsByPlacement; ///< in the order of props, whenever they were met

@@ -53,6 +53,11 @@ std::vector<FuzzConfig> listEveryConfig()
     configs.push_back({method.stencil, method.silhouette, vtkShadowVolumePass::COMPOSITING_MASK,
                        method.countBuffer});
   }
+  for (const int stencil : {vtkShadowVolumePass::STENCIL_AUTO, vtkShadowVolumePass::STENCIL_ZFAIL})
+  {
+    configs.push_back({stencil});
+    configs.back().alone = true;
+  }
   configs.push_back({vtkShadowVolumePass::STENCIL_AUTO, 0, vtkShadowVolumePass::COMPOSITING_ADDITIVE});
   configs.push_back({vtkShadowVolumePass::STENCIL_ZFAIL, 0, vtkShadowVolumePass::COMPOSITING_ADDITIVE});
   return configs;

@@ -138,6 +138,7 @@ std::string getName(const FuzzConfig& config)
     name += " silhouette " + std::to_string(config.silhouette);
   }
   name += buffers.at(static_cast<std::size_t>(config.countBuffer));
+  name += config.alone ? " alone" : "";
   return name + (config.compositing != 0 ? " additive" : "");
 }
 

@@ -127,6 +127,7 @@ void SceneWindow::use(const FuzzConfig& config)
   this->window.pass->SetSilhouetteMethod(config.silhouette);
   this->window.pass->SetCompositing(config.compositing);
   this->window.pass->SetCountBuffer(config.countBuffer);
+  this->window.pass->SetSavings(config.alone ? vtkShadowVolumePass::SAVINGS_NONE : vtkShadowVolumePass::SAVINGS_ALL);
 }
 
 DrawnMask SceneWindow::draw(const FuzzConfig& config)

@@ -43,11 +43,13 @@ struct FuzzLight
 struct FuzzConfig
 {
   int stencil = 0, silhouette = 0, compositing = 0, countBuffer = 0;
+  bool alone = false; ///< each mesh is drawn by itself, its volumes in all of the view: no savings
 
   bool operator==(const FuzzConfig& other) const
   {
     return this->stencil == other.stencil && this->silhouette == other.silhouette &&
-           this->compositing == other.compositing && this->countBuffer == other.countBuffer;
+           this->compositing == other.compositing && this->countBuffer == other.countBuffer &&
+           this->alone == other.alone;
   }
 };
 

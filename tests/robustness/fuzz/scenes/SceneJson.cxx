@@ -123,6 +123,7 @@ FuzzConfig toConfig(const Json& json)
   config.silhouette = json.value("silhouette", 0);
   config.compositing = json.value("compositing", 0);
   config.countBuffer = json.value("countBuffer", 0);
+  config.alone = json.value("alone", false);
   return config;
 }
 
@@ -151,7 +152,8 @@ Json toJson(const FuzzConfig& config)
   return {{"stencil", config.stencil},
           {"silhouette", config.silhouette},
           {"compositing", config.compositing},
-          {"countBuffer", config.countBuffer}};
+          {"countBuffer", config.countBuffer},
+          {"alone", config.alone}};
 }
 
 Json toJson(const FuzzScene& scene)

@@ -151,6 +151,10 @@ std::vector<FuzzConfig> dealConfigs(FuzzRandom& random)
     config.compositing = random.integer(0, 1);
     config.countBuffer = random.integer(0, 2);
   }
+  for (FuzzConfig& config : configs)
+  {
+    config.alone = random.chance(0.5);
+  }
   return configs;
 }
 
