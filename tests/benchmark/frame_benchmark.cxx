@@ -21,7 +21,6 @@
 #include <vtkTrivialProducer.h>
 
 #include "FirstFrames.h"
-#include "KeptFrames.h"
 #include "MovingLightScene.h"
 #include "SilhouetteFinder.h"
 #include "Timing.h"
@@ -223,7 +222,6 @@ int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
   const std::vector<std::string> models = findModels(argc, argv);
-  shadow::benchmarks::registerKeptFrames(models, makeSource);
   for (const std::string& model : models)
   {
     const std::string name = std::filesystem::path(model).stem().string();
