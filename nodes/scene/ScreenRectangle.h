@@ -29,7 +29,8 @@ inline ScreenRectangle wholeView(const View& view)
 /// The smallest rectangle around both.
 ScreenRectangle joined(const ScreenRectangle& one, const ScreenRectangle& other);
 
-/// Pixels that what lies in a box may touch, and a few around them; the whole view where the box reaches behind the eye.
+/// Pixels that what lies in a box may touch, and a few around them; the whole view where the box reaches behind the
+/// eye.
 ScreenRectangle coverOf(const BoxCorners& cornersWC, const View& view);
 
 } // namespace shadow

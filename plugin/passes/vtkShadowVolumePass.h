@@ -268,9 +268,9 @@ public:
   int GetStatus() const;
 
   /**
-   * One line for each cause of a status other than OK, and one for a method, a compositing or a number of
-   * samples that had to give way to another, which is no failure; empty otherwise. A new message is also a vtkWarningMacro, once. One line
-   * more tells that surfaces are drawn without lighting, on which no shadow shows.
+   * One line for each cause of a status other than OK, and one for a setting that had to give way to another (method,
+   * count buffer, compositing, samples, batches), which is no failure; else empty. A new message is also a
+   * vtkWarningMacro, once. One line more tells that surfaces are drawn without lighting, on which no shadow shows.
    */
   std::string GetStatusMessage() const;
 
@@ -300,7 +300,7 @@ public:
    */
   int GetNumberOfShadowLights() const;
   int GetNumberOfKeptLights() const;     ///< of these, whose part of the mask was kept, see Savings
-  int GetNumberOfBatchedMeshes() const;  ///< that were drawn together with others, see Savings
+  int GetNumberOfBatchedMeshes() const;  ///< drawn together with others, each path counted; see Savings
   int GetNumberOfCasters() const;        ///< whose volume was drawn
   int GetNumberOfZFailCasters() const;   ///< of these, by z-fail
   int GetNumberOfRebuiltVolumes() const; ///< of these, not taken over from the rendering before; 0 for

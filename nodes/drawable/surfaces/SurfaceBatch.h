@@ -70,8 +70,8 @@ public:
     std::uint32_t object;
   };
 
-  /// A buffer of near and far copies: 2 v and 2 v + 1 of vertex v, those of a surface from 2 * getFirstVertex() on; made
-  /// when first asked for.
+  /// A buffer of near and far copies: 2 v and 2 v + 1 of vertex v, those of a surface from 2 * getFirstVertex() on;
+  /// made when first asked for.
   unsigned int getCopies();
 
   /// Points vertexMC and object at a buffer of copies. @pre a vertex array is bound

@@ -11,8 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "Capabilities.h"
-#include "OpenGL.h"
+#include "GLInUse.h"
 #include "OptionValues.h"
 #include "PaperFigure.h"
 #include "UserError.h"
@@ -148,20 +147,7 @@ Options understand(const Texts& texts)
 /// What draws, and what the numbers are worth.
 void printMachine(std::ostream& out, const Options& options)
 {
-  shadow::truth::ShadowScene scene(16, 16);
-  scene.window->Render();
-  if (!scene.window->IsUsable())
-  {
-    throw UserError("there is no OpenGL context to draw into");
-  }
-  out << "GL: " << glGetString(GL_RENDERER) << ", " << glGetString(GL_VERSION) << ", through "
-      << scene.window->GetBackend() << "\n";
-  if (shadow::queryCapabilities().software)
-  {
-    out << "This GL is software: all numbers, those of GPU methods too, are a CPU's and tell nothing about a "
-           "GPU.\n";
-  }
-  out << "Window " << options.width << "x" << options.height << ", "
+  out << describeGL() << "Window " << options.width << "x" << options.height << ", "
       << (options.additive ? "an ambient pass and a lighting pass for each light"
                            : "one lighting pass with the mask of all lights")
       << "; lights move, everything is rebuilt each frame.\nMedians of " << options.effort.rounds << " x "

@@ -12,9 +12,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "Capabilities.h"
 #include "CostGrowth.h"
-#include "OpenGL.h"
+#include "GLInUse.h"
 #include "OptionValues.h"
 #include "SavingsReport.h"
 #include "UserError.h"
@@ -117,14 +116,7 @@ Options understand(const Texts& texts)
 
 void printMachine(const Options& options)
 {
-  shadow::truth::ShadowScene scene(16, 16);
-  scene.window->Render();
-  if (!scene.window->IsUsable())
-  {
-    throw UserError("there is no OpenGL context to draw into");
-  }
-  std::cout << "GL: " << glGetString(GL_RENDERER) << ", " << glGetString(GL_VERSION) << ", through "
-            << scene.window->GetBackend() << "\nWindow " << options.width << "x" << options.height
+  std::cout << describeGL() << "Window " << options.width << "x" << options.height
             << "; medians of " << options.rounds << " frames; plain VTK, its shadow map and ours take turns.\n\n";
 }
 
